@@ -35,6 +35,7 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
              {pelt::methods::kCommandAnytimeMethods, "contacts,resolution,first_contact,paper"},
              kBenchNotes});
   add_check(app, chosen, pelt::lab::kLabMethods);
+  add_merge(app, chosen, pelt::lab::kLabMethods);
   add_reproduce(app, chosen);
 }
 

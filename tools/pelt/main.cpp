@@ -10,9 +10,9 @@
 namespace {
 
 constexpr const char* kFooter = R"(
-`pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check: nothing
-that --fail-on selects), 1 what --fail-on selects (check only; by default any contact), 2 bad input or
-arguments, 3 internal error.)";
+`pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check, merge: nothing
+that --fail-on selects), 1 what --fail-on selects (check and merge only; by default any contact),
+2 bad input or arguments, 3 internal error.)";
 
 constexpr const char* kBenchNotes = R"(
 
@@ -21,6 +21,7 @@ The program pelt-lab, which is not installed, also measures the methods of the l
 void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
   using namespace pelt::tools::verbs;
   add_check(app, chosen, pelt::methods::kCommandMethods);
+  add_merge(app, chosen, pelt::methods::kCommandMethods);
   add_view(app, chosen);
   add_bounds(app, chosen);
   add_distance(app, chosen);

@@ -2,8 +2,9 @@
 
 /// Results of `pelt check --between` over all steps.
 
-#include "tools/pelt/check/between_query.hpp"
 #include "tools/pelt/check/chord_deviation.hpp"
+#include "tools/pelt/check/frame_answer.hpp"
+#include "tools/pelt/check/step_contacts.hpp"
 #include "tools/pelt/check/touch_tally.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
 
@@ -47,27 +48,25 @@ struct BetweenReport {
 
 class BetweenCheck {
  public:
-  /// `tally` must be empty. See BetweenQuery.
-  BetweenCheck(const scene::StagedScene& staged, std::uint32_t substeps,
-               const scenes::IgnoredPairs& ignored, const BetweenTests& tests, TouchTally tally);
+  /// `staged` must outlive the object. `tally` must be empty.
+  BetweenCheck(const scene::StagedScene& staged, std::uint32_t substeps, TouchTally tally);
 
-  /// See BetweenQuery::ask.
-  Result<void> ask(std::uint32_t frame, const scene::Palettes& palettes,
-                   const scene::FrameContacts& found);
+  /// Adds the step that ends with a frame, if it has one. Call once for each frame, in order.
+  /// Returns the contacts of the step, valid until the next call; null if no triangles touch
+  /// between its frames only.
+  const StepContacts* add(const FrameAnswer& answer);
 
-  /// The step of the latest call; null if no triangles touch between its frames only.
-  const StepContacts* step() const;
-
-  /// Measures how the largest deviation falls. Precondition: all frames were asked.
+  /// Measures how the largest deviation falls. Precondition: all frames were added.
   Result<BetweenReport> report();
 
  private:
-  void add(const StepContacts& step);
+  void add_contacts();
 
-  BetweenQuery query_;
-  ChordDeviation deviation_;
+  scene::StagedScene staged_;
   TouchTally tally_;
   scene::ContactHash hash_;
+  scene::FrameContacts at_start_;  // counted contacts of the latest frame
+  StepContacts step_;
   BetweenReport report_;
 };
 

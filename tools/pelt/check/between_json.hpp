@@ -3,6 +3,7 @@
 /// JSON of `pelt check --between`.
 
 #include "tools/pelt/check/between_check.hpp"
+#include "tools/pelt/check/step_contacts.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
 #include <utility>
 
 namespace pelt::tools::check {
@@ -11,37 +12,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Whether the contacts of a frame contain this one. O(log n) in pairs and contacts.
-bool contains(const scene::FrameContacts& found, std::uint32_t a, std::uint32_t b,
-              const Contact& contact) {
-  const auto pair = std::lower_bound(
-      found.pairs.begin(), found.pairs.end(), std::pair(a, b),
-      [](const scene::FrameContacts::Pair& p, const std::pair<std::uint32_t, std::uint32_t>& key) {
-        return std::pair(p.a, p.b) < key;
-      });
-  if (pair == found.pairs.end() || pair->a != a || pair->b != b) return false;
-  const std::span<const Contact> contacts = found.of(*pair);
-  return std::binary_search(contacts.begin(), contacts.end(), contact);
-}
+auto key_of(const FoundInStep& found) { return std::tie(found.a, found.b, found.contact); }
 
-/// Appends a contact. Pairs of colliders ascend.
-void append(std::uint32_t a, std::uint32_t b, const Contact& contact,
-            scene::FrameContacts& contacts) {
-  const std::size_t end = contacts.contacts.size();
-  if (contacts.pairs.empty() || contacts.pairs.back().a != a || contacts.pairs.back().b != b)
-    contacts.pairs.push_back({a, b, end, end});
-  contacts.pairs.back().end = end + 1;
-  contacts.contacts.push_back(contact);
+/// Sorts by colliders and triangles. Of equal pairs, the first one found stays.
+void sort_out(std::vector<FoundInStep>& found) {
+  std::stable_sort(found.begin(), found.end(), [](const FoundInStep& x, const FoundInStep& y) {
+    return key_of(x) < key_of(y);
+  });
+  const auto later = std::unique(
+      found.begin(), found.end(),
+      [](const FoundInStep& x, const FoundInStep& y) { return key_of(x) == key_of(y); });
+  found.erase(later, found.end());
 }
 
 }  // namespace
-
-std::size_t StepContacts::earliest() const {
-  const auto first = std::min_element(
-      firsts.begin(), firsts.end(),
-      [](const FirstTouch& x, const FirstTouch& y) { return x.seconds < y.seconds; });
-  return static_cast<std::size_t>(first - firsts.begin());
-}
 
 BetweenQuery::BetweenQuery(const scene::StagedScene& staged, std::uint32_t substeps,
                            const scenes::IgnoredPairs& ignored, const BetweenTests& tests)
@@ -61,19 +45,25 @@ BetweenQuery::BetweenQuery(const scene::StagedScene& staged, std::uint32_t subst
   }
 }
 
-Result<void> BetweenQuery::ask(std::uint32_t frame, const scene::Palettes& palettes,
-                               const scene::FrameContacts& found) {
-  is_in_step_ = frame_ && scenes::take_index(staged_.scene, *frame_) ==
-                              scenes::take_index(staged_.scene, frame);
-  if (is_in_step_) {
-    if (const auto asked = ask_pieces(frame, palettes); !asked) return asked;
-    sort_out(found);
-  } else if (const auto posed = set_palettes(palettes); !posed) {
-    return posed;
-  }
-  frame_ = frame;
-  at_start_ = found;
+Result<void> BetweenQuery::ask(std::uint32_t from, std::uint32_t to, const scene::Palettes& at_end,
+                               StepAnswer& step) {
+  step.from = from;
+  step.to = to;
+  step.found.clear();
+  step.work = {};
+  step.seconds = 0;
+  if (const auto posed = pose_start(from); !posed) return posed;
+  if (const auto asked = ask_pieces(at_end, step); !asked) return asked;
+  posed_ = to;
+  sort_out(step.found);
   return {};
+}
+
+/// Afterwards, no frame is known to be posed, because the poses change.
+Result<void> BetweenQuery::pose_start(std::uint32_t frame) {
+  if (std::exchange(posed_, std::nullopt) == frame) return {};
+  sample_palettes(staged_.scene, frame, sample_scratch_, palettes_);
+  return set_palettes(palettes_);
 }
 
 Result<void> BetweenQuery::set_palettes(const scene::Palettes& palettes) {
@@ -86,28 +76,24 @@ Result<void> BetweenQuery::set_palettes(const scene::Palettes& palettes) {
   return {};
 }
 
-/// Finds the contacts of each piece. At the end, the crowd has the poses of `frame`.
-Result<void> BetweenQuery::ask_pieces(std::uint32_t frame, const scene::Palettes& palettes) {
-  step_.from = *frame_;
-  step_.to = frame;
-  found_.clear();
-  seconds_ = 0;
+/// Finds the contacts of each piece. At the end, the crowd has the poses of the end of the step.
+Result<void> BetweenQuery::ask_pieces(const scene::Palettes& at_end, StepAnswer& step) {
   for (std::uint32_t piece = 0; piece < substeps_; ++piece) {
     const bool is_last = piece + 1 == substeps_;
-    const double later = (frame - *frame_) * ((piece + 1.0) / substeps_);
-    if (!is_last) sample_palettes(staged_.scene, {*frame_, later}, sample_scratch_, palettes_);
+    const double later = (step.to - step.from) * ((piece + 1.0) / substeps_);
+    if (!is_last) sample_palettes(staged_.scene, {step.from, later}, sample_scratch_, palettes_);
     const Clock::time_point begin = Clock::now();
     crowd_.begin_step();
-    if (const auto posed = set_palettes(is_last ? palettes : palettes_); !posed) return posed;
-    ask_piece(piece);
-    seconds_ += std::chrono::duration<double>(Clock::now() - begin).count();
+    if (const auto posed = set_palettes(is_last ? at_end : palettes_); !posed) return posed;
+    ask_piece(piece, step);
+    step.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   }
-  step_seconds_.push_back(seconds_);
   return {};
 }
 
 CrowdOptions BetweenQuery::tests() const {
   CrowdOptions options;
+  options.threads = tests_.threads;
   if (!tests_.pairs) options.filter = [](std::uint32_t, std::uint32_t) { return false; };
   if (tests_.self != nullptr)
     options.self_filter = [this](std::uint32_t c) { return &tests_.self->of_colliders[c]; };
@@ -145,9 +131,9 @@ void BetweenQuery::filter_parts() {
 }
 
 /// Adds the contacts of a piece that count.
-void BetweenQuery::ask_piece(std::uint32_t piece) {
+void BetweenQuery::ask_piece(std::uint32_t piece, StepAnswer& step) {
   moving_.clear();
-  work_ += crowd_.collide_moving(moving_, tests(), {.leave_out_start = true});
+  step.work += crowd_.collide_moving(moving_, tests(), {.leave_out_start = true});
   if (!filters_of_parts_.empty()) filter_parts();
   for (const auto& [a, b, moving] : moving_) {
     const Contact contact =
@@ -157,28 +143,8 @@ void BetweenQuery::ask_piece(std::uint32_t piece) {
       continue;
     const double of_step = (piece + static_cast<double>(moving.time)) / substeps_;
     const double seconds =
-        scenes::moment_time(staged_.scene, {step_.from, (step_.to - step_.from) * of_step});
-    found_.push_back({a, b, contact, {seconds, of_step, moving.a, moving.b}});
-  }
-}
-
-/// Sets the contacts of the step. What touches at the start of a piece has touched in the piece
-/// before or at the start of the step, so `found_` and `at_start_` have all contacts.
-void BetweenQuery::sort_out(const scene::FrameContacts& at_end) {
-  std::stable_sort(found_.begin(), found_.end(),
-                   [](const Found& x, const Found& y) { return x.key() < y.key(); });
-  const auto later = std::unique(found_.begin(), found_.end(),
-                                 [](const Found& x, const Found& y) { return x.key() == y.key(); });
-  found_.erase(later, found_.end());
-  std::erase_if(found_, [&](const Found& f) { return contains(at_start_, f.a, f.b, f.contact); });
-  step_.contacts = at_start_.contacts.size() + found_.size();
-  step_.between.pairs.clear();
-  step_.between.contacts.clear();
-  step_.firsts.clear();
-  for (const Found& found : found_) {
-    if (contains(at_end, found.a, found.b, found.contact)) continue;
-    append(found.a, found.b, found.contact, step_.between);
-    step_.firsts.push_back(found.first);
+        scenes::moment_time(staged_.scene, {step.from, (step.to - step.from) * of_step});
+    step.found.push_back({a, b, contact, {seconds, of_step, moving.a, moving.b}});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <pelt/motion.hpp>
 
 #include "scenes/ignored_pairs.hpp"
+#include "tools/pelt/check/chord_deviation.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/palettes.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
@@ -13,7 +14,6 @@
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace pelt::tools::check {
@@ -25,6 +25,8 @@ struct BetweenTests {
   /// Also tests each collider against itself, and applies the filters to contacts of the parts of
   /// one instance, unless null.
   const scene::SelfFilters* self = nullptr;
+
+  std::uint32_t threads = 0;  ///< of each query; 0 means all cores
 };
 
 /// When two triangles first touch in a step, and which of their parts meet.
@@ -34,20 +36,23 @@ struct FirstTouch {
   Feature a, b;
 };
 
-/// The contacts of a step from one checked frame to the next.
-struct StepContacts {
-  std::uint32_t from = 0, to = 0;  ///< frames
-  std::uint64_t contacts = 0;      ///< pairs of triangles that touch at any time of the step
-
-  /// Those that touch between the frames and in neither frame, with triangle numbers of the assets.
-  scene::FrameContacts between;
-  std::vector<FirstTouch> firsts;  ///< of each contact of `between`
-
-  /// Index of the contact of `between` that touches first; of equal times the first contact.
-  /// Precondition: there are contacts between the frames.
-  std::size_t earliest() const;
+/// A pair of triangles that touches within a step and not at the start of a piece of it.
+struct FoundInStep {
+  std::uint32_t a = 0, b = 0;  ///< colliders
+  Contact contact;             ///< triangle numbers of the assets
+  FirstTouch first;
 };
 
+/// What the query of a step from one checked frame to the next finds.
+struct StepAnswer {
+  std::uint32_t from = 0, to = 0;  ///< frames
+  std::vector<FoundInStep> found;  ///< ascending by colliders and triangles, without duplicates
+  Deviation deviation;             ///< of the clips from straight lines
+  QueryStats work;
+  double seconds = 0;  ///< setting palettes and querying, without sampling
+};
+
+/// Queries single steps, in any order. Answers do not depend on the order.
 class BetweenQuery {
  public:
   /// `substeps`: number of straight pieces of each step, at least 1. Contacts that `ignored`
@@ -55,33 +60,19 @@ class BetweenQuery {
   BetweenQuery(const scene::StagedScene& staged, std::uint32_t substeps,
                const scenes::IgnoredPairs& ignored, const BetweenTests& tests);
 
-  /// Queries the step that leads from the frame of the call before to `frame`. `found` has the
-  /// counted contacts of `frame`. Error messages name the instance.
-  Result<void> ask(std::uint32_t frame, const scene::Palettes& palettes,
-                   const scene::FrameContacts& found);
-
-  /// The step of the latest call; null if it was the first of all or the first of a take.
-  const StepContacts* step() const { return is_in_step_ ? &step_ : nullptr; }
-
-  const QueryStats& work() const { return work_; }
-  const std::vector<double>& step_seconds() const { return step_seconds_; }  ///< without sampling
+  /// Queries the step between two frames of one take. Replaces `step`, except for its deviation.
+  /// `at_end` has the palettes of `to`. Error messages name the instance. Poses the start of the
+  /// step only if the latest call did not end there.
+  Result<void> ask(std::uint32_t from, std::uint32_t to, const scene::Palettes& at_end,
+                   StepAnswer& step);
 
  private:
-  /// A pair of triangles that touches within a piece and not at its start.
-  struct Found {
-    std::uint32_t a = 0, b = 0;
-    Contact contact;
-    FirstTouch first;
-
-    auto key() const { return std::tie(a, b, contact); }
-  };
-
   Result<void> set_palettes(const scene::Palettes& palettes);
-  Result<void> ask_pieces(std::uint32_t frame, const scene::Palettes& palettes);
-  void ask_piece(std::uint32_t piece);
+  Result<void> pose_start(std::uint32_t frame);
+  Result<void> ask_pieces(const scene::Palettes& at_end, StepAnswer& step);
+  void ask_piece(std::uint32_t piece, StepAnswer& step);
   CrowdOptions tests() const;
   void filter_parts();
-  void sort_out(const scene::FrameContacts& at_end);
 
   scene::StagedScene staged_;
   std::uint32_t substeps_;
@@ -96,14 +87,7 @@ class BetweenQuery {
   std::vector<CrowdMovingContact> moving_;
   std::vector<Contact> kept_;  // of `filter_parts`
   Scratch scratch_;
-  std::vector<Found> found_;
-  std::optional<std::uint32_t> frame_;  // of the latest call
-  scene::FrameContacts at_start_;       // counted contacts of that frame
-  bool is_in_step_ = false;
-  StepContacts step_;
-  QueryStats work_;
-  double seconds_ = 0;  // of the current step
-  std::vector<double> step_seconds_;
+  std::optional<std::uint32_t> posed_;  // the frame of the poses of the crowd
 };
 
 }  // namespace pelt::tools::check

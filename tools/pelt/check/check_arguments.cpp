@@ -249,6 +249,9 @@ void add_test_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--method", arguments.method, "One of " + methods::listed(arguments.known_methods),
               {.type = "NAME"});
   arguments::add_simd_option(verb, arguments.simd);
+  verb.option("--threads", arguments.threads,
+              "Query frames on N threads (default: one per core); the answer does not depend on it",
+              {.type = "N", .least = 1, .most = 1024});
   verb.flag("--first", arguments.first, "Stop at the first contact of each pair in each frame");
   verb.option("--max-contacts", arguments.max_contacts,
               "Stop after N contacts of each pair in each frame",
@@ -256,28 +259,8 @@ void add_test_options(arguments::Verb& verb, CheckArguments& arguments) {
   add_self_options(verb, arguments.self);
 }
 
-/// Options of the verdict, and of the summary and the answer.
-void add_answer_options(arguments::Verb& verb, CheckArguments& arguments) {
-  verb.option("--ignore", arguments.ignore,
-              "Do not count contacts between two parts or joints (repeatable)", {.type = "A,B"});
-  verb.option(
-      "--baseline", arguments.baseline,
-      "Compare with the --jsonl output of an earlier check; fail only if parts or joints touch "
-      "that did not touch before, or have more contacts in their worst frame than before",
-      {.type = "FILE"});
-  verb.option("--fail-on", arguments.fail_on,
-              "What sets the exit code to 1 (default: contact; with --baseline: grown)",
-              {.type = "contact|between|grown|new|unknown|never"});
-  verb.flag(
-      "--allow-empty", arguments.allow_empty,
-      "Accept a check that has nothing to test, such as one of a single instance with --self no "
-      "(otherwise exit code 2)");
-  verb.option("--list", arguments.list, "Show at most N rows of each list in the summary",
-              {.type = "N", .least = 1});
-  verb.option("--jsonl", arguments.jsonl,
-              "Write the answer, one JSON object per line; -: to standard output, with the summary "
-              "on standard error",
-              {.type = "FILE"});
+/// Options of the details of the answer.
+void add_detail_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.flag("--pairs", arguments.pairs, "Also write the triangle pairs, not only their number");
   verb.flag("--contacts", arguments.contacts,
             "Describe how the triangles intersect: segments, curves, patches (connected sets of "
@@ -306,6 +289,49 @@ void add_question_options(arguments::Verb& verb, CheckArguments& arguments) {
               {.type = "K", .least = 1, .most = 1000});
 }
 
+/// Options of runs that query only a share of the frames.
+void add_shard_options(arguments::Verb& verb, CheckArguments& arguments) {
+  verb.option("--shard", arguments.shard,
+              "Query only the I-th of N shares of the frames, from 1/N to N/N, and write them to "
+              "-o, for pelt merge",
+              {.type = "I/N"});
+  verb.option("-o", arguments.shard_file, "The file of the shard", {.type = "FILE"});
+}
+
+}  // namespace
+
+void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
+  add_test_options(verb, arguments);
+  verb.option("--ignore", arguments.ignore,
+              "Do not count contacts between two parts or joints (repeatable)", {.type = "A,B"});
+  add_verdict_options(verb, arguments);
+  add_detail_options(verb, arguments);
+  add_question_options(verb, arguments);
+  add_picture_options(verb, arguments);
+  add_shard_options(verb, arguments);
+}
+
+void add_verdict_options(arguments::Verb& verb, CheckArguments& arguments) {
+  verb.option(
+      "--baseline", arguments.baseline,
+      "Compare with the --jsonl output of an earlier check; fail only if parts or joints touch "
+      "that did not touch before, or have more contacts in their worst frame than before",
+      {.type = "FILE"});
+  verb.option("--fail-on", arguments.fail_on,
+              "What sets the exit code to 1 (default: contact; with --baseline: grown)",
+              {.type = "contact|between|grown|new|unknown|never"});
+  verb.flag(
+      "--allow-empty", arguments.allow_empty,
+      "Accept a check that has nothing to test, such as one of a single instance with --self no "
+      "(otherwise exit code 2)");
+  verb.option("--list", arguments.list, "Show at most N rows of each list in the summary",
+              {.type = "N", .least = 1});
+  verb.option("--jsonl", arguments.jsonl,
+              "Write the answer, one JSON object per line; -: to standard output, with the summary "
+              "on standard error",
+              {.type = "FILE"});
+}
+
 void add_picture_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--html", arguments.html,
               "Write a self-contained page that plays the scene and finds its contacts",
@@ -316,15 +342,6 @@ void add_picture_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--glb-frame", arguments.glb_frame, "Write this frame to --glb", {.type = "N"});
 }
 
-}  // namespace
-
-void add_check_options(arguments::Verb& verb, CheckArguments& arguments) {
-  add_test_options(verb, arguments);
-  add_answer_options(verb, arguments);
-  add_question_options(verb, arguments);
-  add_picture_options(verb, arguments);
-}
-
 Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::Scene& scene) {
   CheckSettings settings;
   settings.lists_triangles = arguments.pairs;
@@ -332,6 +349,7 @@ Result<CheckSettings> choose_settings(const CheckArguments& arguments, scenes::S
   settings.asks_inside = arguments.inside;
   settings.allows_empty = arguments.allow_empty;
   settings.rows_listed = arguments.list;
+  settings.threads = arguments.threads.value_or(0);
   settings.max_contacts = arguments.first ? 1 : arguments.max_contacts;
   Choices choices;
   choices.take(choose_method(arguments.method, arguments.known_methods), settings.method);

@@ -22,15 +22,22 @@ struct CheckArguments {
   std::optional<std::uint32_t> substeps;
   std::optional<double> clearance;
   std::optional<std::uint32_t> budget;
-  std::optional<std::uint32_t> max_contacts, glb_frame;
+  std::optional<std::uint32_t> max_contacts, glb_frame, threads;
   std::uint32_t list = 10;
   std::vector<std::string> ignore;
   SelfArguments self;
   std::string baseline, fail_on;
+  std::string shard, shard_file;  ///< "" if absent
   std::string jsonl, glb, html, simd, words;
 };
 
 void add_check_options(arguments::Verb& verb, CheckArguments& arguments);
+
+/// Adds the options of the verdict, of the summary and of --jsonl.
+void add_verdict_options(arguments::Verb& verb, CheckArguments& arguments);
+
+/// Adds --html and --glb.
+void add_picture_options(arguments::Verb& verb, CheckArguments& arguments);
 
 /// Returns an error for options that conflict with each other or with the scene, before anything is
 /// computed or written. Reads the baseline. Adds notes to `scene` about what is tested.

@@ -78,7 +78,8 @@ Result<void> write_page(output::OutputFile& file, const scenes::Scene& scene,
 
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
                                 const arguments::ModelArguments& models,
-                                const CheckOutputs& outputs, std::ostream& words) {
+                                const CheckOutputs& outputs, std::ostream& words,
+                                const FrameSource& source) {
   OutputFiles files;
   if (const auto opened = files.open(outputs); !opened) return opened.error();
   const auto colliders = scene::make_colliders(scene, settings.granularity, models);
@@ -89,7 +90,7 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   const CheckQuestion question = question_of(settings, scene, models);
   JsonlWriter jsonl(files.jsonl.stream(), question, staged);
   jsonl.header();
-  Result<CheckReport> report = run_check(staged, settings, *tally, jsonl);
+  Result<CheckReport> report = run_check(staged, settings, question, source, *tally, jsonl);
   if (!report) return asset::prefixed(scene.name, report.error());
   if (const auto closed = files.jsonl.close(); !closed) return closed.error();
   const auto drawn = write_contacts_glb(files.glb, staged, report->kept, models);

@@ -18,9 +18,10 @@ struct CheckOutputs {
   std::string words;  ///< command line of the report
 };
 
-/// Prints the summary to `words`.
+/// Prints the summary to `words`. `source`: see run_check.
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
                                 const arguments::ModelArguments& models,
-                                const CheckOutputs& outputs, std::ostream& words);
+                                const CheckOutputs& outputs, std::ostream& words,
+                                const FrameSource& source = nullptr);
 
 }  // namespace pelt::tools::check

@@ -31,6 +31,7 @@ struct CheckSettings {
   FailOn fail_on = FailOn::contact;  ///< `grown` and `newly` need a baseline
   bool allows_empty = false;         ///< otherwise comparing nothing fails
   arguments::FrameRange frames;
+  std::uint32_t threads = 0;                   ///< 0 means all cores
   std::optional<std::uint32_t> frame_to_keep;  ///< for CheckReport::kept; nullopt: the worst
 };
 

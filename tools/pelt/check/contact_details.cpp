@@ -1,6 +1,6 @@
 #include "tools/pelt/check/contact_details.hpp"
 
-#include "tools/pelt/check/surfaces.hpp"
+#include <utility>
 
 namespace pelt::tools::check {
 namespace {
@@ -18,8 +18,8 @@ void number_joints_in_assets(ContactGeometry& geometry, const scene::Collider& a
 
 }  // namespace
 
-ContactDetails::ContactDetails(const scene::StagedScene& staged)
-    : colliders_(staged.colliders), surfaces_(make_surfaces(staged)), posed_(staged.colliders) {}
+ContactDetails::ContactDetails(const scene::StagedScene& staged, std::vector<Surface> surfaces)
+    : colliders_(staged.colliders), surfaces_(std::move(surfaces)), posed_(staged.colliders) {}
 
 Result<void> ContactDetails::describe(const scene::Palettes& palettes,
                                       const scene::FrameContacts& found) {

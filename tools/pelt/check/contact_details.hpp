@@ -15,8 +15,8 @@ namespace pelt::tools::check {
 
 class ContactDetails {
  public:
-  /// Both arguments must outlive this.
-  explicit ContactDetails(const scene::StagedScene& staged);
+  /// `staged` must outlive this. `surfaces`: of each collider.
+  ContactDetails(const scene::StagedScene& staged, std::vector<Surface> surfaces);
 
   /// Replaces the geometry by that of contacts that were found with these palettes.
   Result<void> describe(const scene::Palettes& palettes, const scene::FrameContacts& found);

@@ -1,8 +1,6 @@
 #include "tools/pelt/check/inside_query.hpp"
 
-#include "tools/pelt/check/surfaces.hpp"
-
-#include <algorithm>
+#include <utility>
 
 namespace pelt::tools::check {
 namespace {
@@ -39,10 +37,11 @@ void InsideTally::add_held(std::uint32_t inner, std::uint32_t outer, std::uint32
     ++held[known->second].frames;
 }
 
-InsideQuery::InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored)
+InsideQuery::InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored,
+                         std::vector<Surface> surfaces)
     : staged_(staged),
       ignored_(ignored),
-      surfaces_(make_surfaces(staged)),
+      surfaces_(std::move(surfaces)),
       posed_(staged.colliders) {}
 
 Result<void> InsideQuery::ask(const scene::Palettes& palettes, const scene::FrameContacts& found) {
@@ -87,11 +86,6 @@ Penetration InsideQuery::deepest(std::uint32_t a, std::uint32_t b) {
   const std::span<Pose> poses = posed_.poses();
   work_ += deepest_vertex(poses[a], surfaces_[a], poses[b], surfaces_[b], scratch_, found);
   return found;
-}
-
-std::size_t InsideQuery::closed_count() const {
-  return static_cast<std::size_t>(std::count_if(surfaces_.begin(), surfaces_.end(),
-                                                [](const Surface& s) { return s.is_closed(); }));
 }
 
 }  // namespace pelt::tools::check

@@ -56,9 +56,10 @@ struct InsideTally {
 
 class InsideQuery {
  public:
-  /// Skips pairs of colliders whose triangles are all matched by one rule of `ignored`. The
-  /// objects that `staged` borrows, and `ignored`, must outlive this object.
-  InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored);
+  /// `surfaces`: of each collider. Skips pairs of colliders whose triangles are all matched by one
+  /// rule of `ignored`. The objects that `staged` borrows, and `ignored`, must outlive this object.
+  InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored,
+              std::vector<Surface> surfaces);
 
   /// Replaces the results by those for these palettes. `found` has the contacts of the frame.
   /// Computes the depth of touching pairs, and whether one body of the other pairs contains the
@@ -67,8 +68,6 @@ class InsideQuery {
 
   std::span<const InsidePair> pairs() const { return pairs_; }  ///< ascending
   QueryStats work() const { return work_; }
-
-  std::size_t closed_count() const;
 
  private:
   void ask_pair(std::uint32_t a, std::uint32_t b, bool touches);

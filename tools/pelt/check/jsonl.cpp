@@ -1,7 +1,7 @@
 #include "tools/pelt/check/jsonl.hpp"
 
 #include "tools/pelt/check/between_json.hpp"
-#include "tools/pelt/check/contact_json.hpp"
+#include "tools/pelt/check/frame_line.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
@@ -11,14 +11,6 @@ namespace pelt::tools::check {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json triangles_json(std::span<const Contact> contacts) {
-  ordered_json triangles = ordered_json::array();
-  for (const Contact& contact : contacts) {
-    triangles.push_back({contact.triangle_a, contact.triangle_b});
-  }
-  return triangles;
-}
 
 ordered_json gone_json(const GoneTouch& gone) {
   ordered_json touch = of_clip(gone.names.clip);
@@ -33,13 +25,6 @@ ordered_json held_names_json(const CheckBaseline::HeldNames& names) {
   bodies["inner"] = name_json(names.inner);
   bodies["outer"] = name_json(names.outer);
   return bodies;
-}
-
-ordered_json left_out_json(const LeftOut& left_out) {
-  return {{"rings", left_out.rings},
-          {"at_rest", left_out.at_rest},
-          {"always", left_out.always},
-          {"near_joints", left_out.joints}};
 }
 
 ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> takes) {
@@ -58,18 +43,6 @@ ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> 
   return list;
 }
 
-ordered_json undecided_json(std::span<const Undecided> undecided) {
-  ordered_json list = ordered_json::array();
-  for (const Undecided& pair : undecided)
-    list.push_back({{"a", pair.a},
-                    {"b", pair.b},
-                    {"verdict", pair.verdict == pelt::Verdict::touching ? "touching" : "unknown"},
-                    {"pairs", pair.pairs},
-                    {"resolution", pair.resolution},
-                    {"distance_bound", pair.distance_bound}});
-  return list;
-}
-
 }  // namespace
 
 void JsonlWriter::header() {
@@ -77,55 +50,12 @@ void JsonlWriter::header() {
   scene::write_header("pelt-check", staged_, question_json(question_), *out_);
 }
 
-void JsonlWriter::frame(std::uint32_t frame, const scene::FrameContacts& found,
-                        const FrameExtras& extras) {
-  if (out_ == nullptr) return;
-  if (extras.step != nullptr)
-    scene::write_line(step_json(staged_, *extras.step, question_.pairs), *out_);
-  ordered_json line = scene::frame_json(staged_.scene, frame);
-  line["contacts"] = found.contacts.size();
-  line["pairs"] = pairs_json(found, extras.details);
-  if (extras.budget != nullptr) line["unknown"] = undecided_json(extras.budget->undecided());
-  if (extras.left_out != nullptr) line["left_out"] = left_out_json(*extras.left_out);
-  if (extras.inside != nullptr) line["inside"] = inside_json(*extras.inside);
-  scene::write_line(line, *out_);
+void JsonlWriter::step(const StepContacts& step) {
+  if (out_ != nullptr) scene::write_line(step_json(staged_, step, question_.pairs), *out_);
 }
 
-ordered_json JsonlWriter::pairs_json(const scene::FrameContacts& found,
-                                     const ContactDetails* details) const {
-  ordered_json pairs = ordered_json::array();
-  for (std::size_t i = 0; i < found.pairs.size(); ++i) {
-    const scene::FrameContacts::Pair& pair = found.pairs[i];
-    ordered_json& entry = pairs.emplace_back();
-    entry["a"] = pair.a;
-    entry["b"] = pair.b;
-    entry["contacts"] = pair.end - pair.begin;
-    if (question_.pairs) entry["triangles"] = triangles_json(found.of(pair));
-    if (details != nullptr) {
-      entry.update(contact_geometry_json(staged_, pair.a, pair.b, details->of_pair(i)));
-    }
-  }
-  return pairs;
-}
-
-ordered_json JsonlWriter::inside_json(const InsideQuery& inside) const {
-  const auto deepest = [&](const Penetration& found, std::uint32_t outer) -> ordered_json {
-    if (!found) return nullptr;
-    return {{"depth", found.depth},
-            {"position", scene::vector_json(found.position)},
-            {"closest", scene::vector_json(found.closest.position)},
-            {"triangle", staged_.colliders[outer].number_in_asset(found.closest.triangle)}};
-  };
-  ordered_json pairs = ordered_json::array();
-  for (const InsidePair& pair : inside.pairs()) {
-    ordered_json entry = {{"a", pair.a}, {"b", pair.b}, {"held", nullptr}};
-    if (pair.containment == Containment::a_in_b) entry["held"] = "a";
-    if (pair.containment == Containment::b_in_a) entry["held"] = "b";
-    entry["a_in_b"] = deepest(pair.a_in_b, pair.b);
-    entry["b_in_a"] = deepest(pair.b_in_a, pair.a);
-    pairs.push_back(std::move(entry));
-  }
-  return pairs;
+void JsonlWriter::frame(const FrameAnswer& answer) {
+  if (out_ != nullptr) *out_ << answer.line << '\n';
 }
 
 ordered_json JsonlWriter::held_list(std::span<const Held> held) const {

@@ -6,12 +6,10 @@
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/check/between_check.hpp"
-#include "tools/pelt/check/budget_query.hpp"
 #include "tools/pelt/check/check_question.hpp"
-#include "tools/pelt/check/contact_details.hpp"
-#include "tools/pelt/check/inside_query.hpp"
+#include "tools/pelt/check/frame_answer.hpp"
+#include "tools/pelt/check/step_contacts.hpp"
 #include "tools/pelt/check/verdict.hpp"
-#include "tools/pelt/scene/scene_query.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -49,15 +47,6 @@ struct CheckTotals {
   std::optional<std::uint64_t> hash;  ///< nullopt if contacts were limited
 };
 
-/// Optional data of a frame in addition to its contacts; null if absent.
-struct FrameExtras {
-  const ContactDetails* details = nullptr;
-  const InsideQuery* inside = nullptr;
-  const BudgetQuery* budget = nullptr;
-  const LeftOut* left_out = nullptr;   ///< by the filters of contacts of bodies with themselves
-  const StepContacts* step = nullptr;  ///< that ends with the frame and has contacts between frames
-};
-
 /// Writes the lines of a check, or nothing if there is no stream.
 class JsonlWriter {
  public:
@@ -67,15 +56,17 @@ class JsonlWriter {
 
   void header();
 
-  /// Writes the line of the step that ends with the frame, if any, and that of the frame.
-  void frame(std::uint32_t frame, const scene::FrameContacts& found, const FrameExtras& extras);
+  /// Whether lines are written.
+  bool is_open() const { return out_ != nullptr; }
+
+  /// Writes the line of a step with contacts between its frames, before that of its last frame.
+  void step(const StepContacts& step);
+
+  /// Writes the line of a frame.
+  void frame(const FrameAnswer& answer);
   void totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict);
 
  private:
-  nlohmann::ordered_json pairs_json(const scene::FrameContacts& found,
-                                    const ContactDetails* details) const;
-  nlohmann::ordered_json inside_json(const InsideQuery& inside) const;
-
   nlohmann::ordered_json held_list(std::span<const Held> held) const;
   using TouchJson = nlohmann::ordered_json(const scene::StagedScene& staged, const Touch& touch);
   void add_changes(const TouchChanges& changes, TouchJson* json_of,

@@ -7,15 +7,22 @@
 
 namespace pelt::tools::check {
 
-void PatchTally::add(std::uint32_t frame, const scene::FrameContacts& found,
-                     const ContactDetails& details) {
+std::vector<DescribedPatch> described_patches(const scene::FrameContacts& found,
+                                              const ContactDetails& details) {
+  std::vector<DescribedPatch> patches;
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
     const scene::FrameContacts::Pair& pair = found.pairs[i];
-    for (const ContactPatch& patch : details.of_pair(i).patches) {
-      ++patches_;
-      Longest& known = longest_[{Place{pair.a, patch.joint_a}, Place{pair.b, patch.joint_b}}];
-      if (patch.length > known.length) known = {patch.length, frame};
-    }
+    for (const ContactPatch& patch : details.of_pair(i).patches)
+      patches.push_back({pair.a, pair.b, patch.joint_a, patch.joint_b, patch.length});
+  }
+  return patches;
+}
+
+void PatchTally::add(std::uint32_t frame, std::span<const DescribedPatch> patches) {
+  patches_ += patches.size();
+  for (const DescribedPatch& patch : patches) {
+    Longest& known = longest_[{Place{patch.a, patch.joint_a}, Place{patch.b, patch.joint_b}}];
+    if (patch.length > known.length) known = {patch.length, frame};
   }
 }
 

@@ -9,17 +9,30 @@
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace pelt::tools::check {
+
+/// A patch, without its contacts.
+struct DescribedPatch {
+  std::uint32_t a = 0, b = 0;              ///< colliders
+  std::uint32_t joint_a = 0, joint_b = 0;  ///< as in the assets
+  float length = 0;                        ///< see `ContactPatch::length`
+};
+
+/// Returns all patches of a frame. `details` describes `found`.
+std::vector<DescribedPatch> described_patches(const scene::FrameContacts& found,
+                                              const ContactDetails& details);
 
 class PatchTally {
  public:
   /// Both arguments must outlive the tally.
   explicit PatchTally(const scene::StagedScene& staged) : staged_(staged) {}
 
-  void add(std::uint32_t frame, const scene::FrameContacts& found, const ContactDetails& details);
+  /// Frames ascend.
+  void add(std::uint32_t frame, std::span<const DescribedPatch> patches);
 
   std::uint64_t patches() const { return patches_; }
 

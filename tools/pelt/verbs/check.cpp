@@ -1,16 +1,13 @@
 /// `pelt check`: which triangles collide, frame by frame.
 
-#include "tools/pelt/arguments/input_files.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_arguments.hpp"
-#include "tools/pelt/check/check_scene.hpp"
-#include "tools/pelt/output/output_file.hpp"
+#include "tools/pelt/check/check_command.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/page/viewer_page.hpp"
+#include "tools/pelt/shard/shard_run.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
-#include <array>
+#include <memory>
 
 namespace pelt::tools::verbs {
 namespace {
@@ -35,6 +32,7 @@ Examples:
   pelt check scene.json --method brute --frames 24:25
   pelt check scene.json --ignore limb,joint*
   pelt check scene.json --baseline contacts.jsonl
+  pelt check scene.json --shard 1/2 -o 1.shard
 
 Answers are exact on the float32 positions that `pelt pose` writes. Triangles are closed sets, so
 touching counts. All methods give the same contacts and the same hash; they differ in their work.
@@ -49,6 +47,8 @@ With --between, a step leads from each checked frame to the next. In a step, or 
 --substeps, every vertex moves in a straight line at constant speed, and the answer is exact for this
 motion. The summary shows how far the clips deviate from it. A contact between frames is a contact for
 the exit code and for --baseline.
+With --shard, `pelt merge` puts the files of all shards together, judges them and writes the other
+outputs. The exit code of a shard is 0 if its file is complete, whatever it contains.
 A single character is tested against itself; several characters only with --self. The options
 --self-... drop contacts of a character with itself; the summary shows how many each option drops. A
 check that has nothing to test, such as one of a single character with --self no, fails with exit code
@@ -57,68 +57,11 @@ Exit codes: 0 nothing that --fail-on selects, 1 what --fail-on selects (by defau
 --between also any contact between frames, and with --inside any contained body; with --baseline only
 what is new or has grown), 2 bad input or arguments, or nothing to test, 3 internal error.)";
 
-Result<void> check_for_page(const check::CheckArguments& arguments) {
-  if (arguments.html.empty()) return {};
-  // Report missing inputs before long work.
-  if (const auto viewer = page::read_viewer(); !viewer) return viewer.error();
-  return {};
-}
-
-/// The page counts one clip at a time, so it cannot know the share of all frames.
-Result<void> check_filters_for_page(const check::CheckArguments& arguments,
-                                    const check::CheckSettings& settings,
-                                    const scenes::Scene& scene) {
-  if (arguments.html.empty() || scene.takes.empty() || !settings.self.asks_self() ||
-      !settings.self.rules.always)
-    return {};
-  return output::bad_argument("--html", "cannot be combined with --self-always and all clips ('*')",
-                              "leave out --self-always, or name one clip");
-}
-
-Result<void> check_outputs(const check::CheckArguments& arguments, const scenes::Scene& scene) {
-  std::vector<output::InputFile> inputs = arguments::files_of_scene(arguments.scene, scene);
-  if (!arguments.baseline.empty())
-    inputs.push_back({arguments.baseline, "the baseline " + arguments.baseline});
-  for (const std::filesystem::path& place : page::viewer_places())
-    inputs.push_back({place, "the viewer's page"});
-  const std::array outputs = {output::NamedOutput{"--jsonl", arguments.jsonl},
-                              output::NamedOutput{"--glb", arguments.glb},
-                              output::NamedOutput{"--html", arguments.html}};
-  return output::check_outputs(outputs, inputs);
-}
-
-/// Users who forgot a model must not read "no contact" as a clean result.
-Error nothing_compared() {
-  return output::bad_argument(
-      "INPUT", "nothing was compared, because a single body was not tested against itself",
-      "leave out --self no, --method, --clearance and --between, or give another model, or use "
-      "--by part if "
-      "the model has several parts, or accept this with --allow-empty");
-}
-
 Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
-  if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
-  Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
-  if (!scene) return scene.error();
-  if (const auto checked = check_outputs(arguments, *scene); !checked) return checked.error();
-  if (const auto checked = check_for_page(arguments); !checked) return checked.error();
-  const Result<check::CheckSettings> settings = check::choose_settings(arguments, *scene);
-  if (!settings) return settings.error();
-  if (const auto checked = check_filters_for_page(arguments, *settings, *scene); !checked)
-    return checked.error();
-  scene->ignore = settings->ignore;  // for the page, like `self`
-  scene->self = check::without_defaults(settings->self);
-  check::CheckOutputs outputs;
-  outputs.jsonl = arguments.jsonl;
-  outputs.glb = arguments.glb;
-  outputs.html = arguments.html;
-  outputs.words = arguments.words;
-  const Result<check::CheckReport> report =
-      check::check_scene(*scene, *settings, arguments.scene.models, outputs,
-                         output::words_beside({arguments.jsonl, arguments.glb, arguments.html}));
-  if (!report) return report.error();
-  if (report->verdict.pairs_compared == 0 && !arguments.allow_empty) return nothing_compared();
-  return report->verdict.is_failed ? arguments::ExitCode::contact : arguments::ExitCode::success;
+  if (!arguments.shard.empty()) return shard::run_shard(arguments);
+  if (!arguments.shard_file.empty())
+    return output::bad_argument("-o", "requires --shard", "name the answer with --jsonl FILE");
+  return check::run_check_command(arguments);
 }
 
 }  // namespace

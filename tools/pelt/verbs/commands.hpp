@@ -1,8 +1,8 @@
 #pragma once
 
 /// The verbs of the command, each in a file of its own. Each function adds its verb to `app`; if
-/// the command line names the verb, sets `chosen` to its command. `check` and `bench` get the
-/// methods of the program.
+/// the command line names the verb, sets `chosen` to its command. `check`, `merge` and `bench` get
+/// the methods of the program.
 
 #include "tools/pelt/arguments/exit_code.hpp"
 #include "tools/pelt/bench/bench_methods.hpp"
@@ -15,6 +15,7 @@ class App;
 namespace pelt::tools::verbs {
 
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);
+void add_merge(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);
 void add_view(CLI::App& app, arguments::Command& chosen);
 void add_bounds(CLI::App& app, arguments::Command& chosen);
 void add_distance(CLI::App& app, arguments::Command& chosen);

@@ -1,0 +1,194 @@
+#include "tools/pelt/shard/shard_file.hpp"
+
+#include "asset/message.hpp"
+#include "asset/parsed_json.hpp"
+#include "scenes/takes.hpp"
+#include "tools/pelt/output/json_text.hpp"
+#include "tools/pelt/output/text.hpp"
+#include "tools/pelt/shard/answer_json.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+namespace pelt::tools::shard {
+namespace {
+
+using nlohmann::json;
+
+void add_line(const std::string& line, detail::Fnv1a64& hash) {
+  hash.add_bytes(std::as_bytes(std::span(line)));
+  hash.add_byte('\n');
+}
+
+nlohmann::ordered_json last_line(std::size_t frames, const detail::Fnv1a64& hash) {
+  return {{"frames", frames}, {"hash", output::hex16(hash.value())}};
+}
+
+Error unreadable(const std::string& path) {
+  return {ErrorCode::unreadable_file, path + ": cannot be read: check its name"};
+}
+
+Error incomplete(const std::string& path, const Shard& shard, const char* problem) {
+  return asset::malformed(path + ": " + problem + ": write shard " + std::to_string(shard.index) +
+                          "/" + std::to_string(shard.count) + " again");
+}
+
+/// Reads a line with its end. False at the end of the file, and for a line that was cut.
+bool read_line(std::istream& in, std::string& line) { return std::getline(in, line) && !in.eof(); }
+
+/// A file that is complete.
+struct Opened {
+  std::string path;
+  ShardHeader header;
+};
+
+Result<Opened> open_shard(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  if (!in.is_open() || (in.peek(), in.bad())) return unreadable(path);
+  if (!read_line(in, line)) line.clear();
+  Result<ShardHeader> header = read_header(line);
+  if (!header) return asset::prefixed(path, header.error());
+  detail::Fnv1a64 hash;
+  std::size_t lines = 0;
+  std::string next;
+  for (; read_line(in, next); ++lines) {
+    add_line(line, hash);
+    std::swap(line, next);
+  }
+  const bool is_whole =
+      next.empty() && lines > 0 && line == output::json_text(last_line(lines - 1, hash));
+  if (!is_whole) return incomplete(path, header->shard, "is incomplete or was changed");
+  return Opened{path, std::move(*header)};
+}
+
+/// "frames" if the option --frames differs.
+std::string difference(const json& a, const json& b) {
+  for (const auto& [name, value] : a["arguments"].items())
+    if (b["arguments"][name] != value) return "its " + name + " differs";
+  return "its input files differ";
+}
+
+Result<void> compare(const Opened& first, const Opened& other) {
+  const Shard &a = first.header.shard, &b = other.header.shard;
+  if (a.count != b.count)
+    return asset::malformed(other.path + ": is one of " + std::to_string(b.count) +
+                            " shards, but " + first.path + " is one of " + std::to_string(a.count) +
+                            ": give shards of one check");
+  if (first.header.question != other.header.question)
+    return asset::malformed(other.path + ": is from another check than " + first.path + " (" +
+                            difference(first.header.question, other.header.question) +
+                            "): give shards of one check");
+  return {};
+}
+
+/// Precondition: sorted by index, all of one check.
+Result<void> check_indices(std::span<const Opened> shards) {
+  const std::uint32_t count = shards[0].header.shard.count;
+  std::uint32_t next = 1;
+  for (std::size_t i = 0; i < shards.size(); ++i, ++next) {
+    const std::uint32_t index = shards[i].header.shard.index;
+    if (i > 0 && index == shards[i - 1].header.shard.index)
+      return asset::malformed(shards[i].path + ": is the same shard as " + shards[i - 1].path +
+                              ": give one of the two");
+    if (index != next) break;
+  }
+  if (next > count) return {};
+  const std::string name = std::to_string(next) + "/" + std::to_string(count);
+  return Error{
+      ErrorCode::invalid_argument,
+      "shard " + name + " is missing: write it with --shard " + name + ", or give its file, too"};
+}
+
+/// The frame that the step to a frame starts from, if any.
+std::optional<std::uint32_t> step_from(const scenes::Scene& scene,
+                                       std::span<const std::uint32_t> frames, std::size_t index,
+                                       bool asks_between) {
+  if (!asks_between || index == 0) return std::nullopt;
+  const std::uint32_t from = frames[index - 1];
+  if (scenes::take_index(scene, from) != scenes::take_index(scene, frames[index]))
+    return std::nullopt;
+  return from;
+}
+
+}  // namespace
+
+ShardWriter::ShardWriter(std::ostream& out, const nlohmann::ordered_json& header) : out_(out) {
+  write(header);
+}
+
+void ShardWriter::add(const check::FrameAnswer& answer) {
+  write(answer_json(answer));
+  ++frames_;
+}
+
+void ShardWriter::finish() { out_ << output::json_text(last_line(frames_, hash_)) << '\n'; }
+
+void ShardWriter::write(const nlohmann::ordered_json& value) {
+  const std::string line = output::json_text(value);
+  add_line(line, hash_);
+  out_ << line << '\n';
+}
+
+Result<Shards> Shards::open(std::span<const std::string> paths) {
+  std::vector<Opened> opened;
+  for (const std::string& path : paths) {
+    Result<Opened> shard = open_shard(path);
+    if (!shard) return shard.error();
+    opened.push_back(std::move(*shard));
+    if (const auto same = compare(opened[0], opened.back()); !same) return same.error();
+  }
+  std::stable_sort(opened.begin(), opened.end(), [](const Opened& a, const Opened& b) {
+    return a.header.shard.index < b.header.shard.index;
+  });
+  if (const auto complete = check_indices(opened); !complete) return complete.error();
+  Shards shards;
+  shards.arguments_ = opened[0].header.arguments;
+  shards.inputs_ = opened[0].header.question["inputs"];
+  for (Opened& shard : opened) shards.paths_.push_back(std::move(shard.path));
+  return shards;
+}
+
+Result<void> Shards::check_inputs(const scenes::Scene& scene) const {
+  const Result<json> inputs = inputs_of(arguments_.scene, scene);
+  if (!inputs) return inputs.error();
+  if (*inputs == inputs_) return {};
+  std::string name = scene.name;
+  for (std::size_t i = 0; i < std::min(inputs->size(), inputs_.size()); ++i)
+    if ((*inputs)[i] != inputs_[i]) name = (*inputs)[i].value("path", name);
+  return asset::malformed(name +
+                          ": has changed since the shards were written: write all shards "
+                          "again");
+}
+
+Result<void> Shards::replay(
+    const scene::StagedScene& staged, const check::CheckSettings& settings,
+    const std::function<Result<void>(const check::FrameAnswer& answer)>& use) const {
+  const std::vector<std::uint32_t> frames = settings.frames.frames();
+  const auto count = static_cast<std::uint32_t>(paths_.size());
+  std::string line, next;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    const Shard shard = {s + 1, count};
+    std::ifstream in(paths_[s], std::ios::binary);
+    read_line(in, line);  // the header
+    for (std::size_t i = shard.begin_of(frames.size()); i < shard.end_of(frames.size()); ++i) {
+      const bool is_read = read_line(in, line);
+      const Result<asset::ParsedJson> parsed = asset::parse_json(is_read ? line : "");
+      if (!parsed) return incomplete(paths_[s], shard, "lacks a frame");
+      const auto from = step_from(staged.scene, frames, i, settings.substeps.has_value());
+      const auto answer = read_answer(**parsed, {staged, frames[i], from});
+      if (!answer)
+        return incomplete(
+            paths_[s], shard,
+            ("frame " + std::to_string(frames[i]) + ": " + answer.error().message).c_str());
+      if (const auto used = use(*answer); !used) return used;
+    }
+    if (!read_line(in, line) || read_line(in, next))
+      return incomplete(paths_[s], shard, "has more frames than the shard");
+  }
+  return {};
+}
+
+}  // namespace pelt::tools::shard

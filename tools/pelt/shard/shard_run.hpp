@@ -1,0 +1,13 @@
+#pragma once
+
+/// `pelt check --shard`.
+
+#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/check/check_arguments.hpp"
+
+namespace pelt::tools::shard {
+
+/// Queries the frames of a shard and writes its file.
+Result<arguments::ExitCode> run_shard(const check::CheckArguments& arguments);
+
+}  // namespace pelt::tools::shard
