@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""Runs the recipes of docs/clusters.md, each with a worker that is killed.
+
+    clusters_test.py COMMAND DOCUMENT
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import one_node_slurm
+
+DOCUMENT = pathlib.Path(sys.argv.pop()).read_text(encoding="utf-8")
+COMMAND = sys.argv.pop()
+SCENE = """{"models": {"a": {"creature": {"triangles": 1000}}},
+ "frames": {"count": 13, "fps": 6},
+ "instances": [{"model": "a", "clip": "walk"},
+               {"model": "a", "clip": "idle", "translation": [0.4, 0, 0]}]}"""
+
+# Kills the first process that queries shard 2.
+KILLING = """#!/bin/sh
+case "$*" in
+  *"--shard 2/"*)
+    if [ ! -e killed ]; then
+      "$PELT" "$@" &
+      kill -9 $!
+      touch killed
+      exit 137
+    fi ;;
+esac
+exec "$PELT" "$@"
+"""
+
+
+def recipe(name):
+    return re.search(rf"<!-- recipe: {name} -->\n```sh\n(.*?)```", DOCUMENT, re.DOTALL)[1]
+
+
+class ClusterTests(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin" / "pelt").write_text(KILLING)
+        (self.folder / "bin" / "pelt").chmod(0o755)
+        (self.folder / "scene.json").write_text(SCENE)
+        self.environment = {**os.environ, "PELT": COMMAND, "HOME": folder.name,
+                            "PATH": f"{folder.name}/bin:{os.environ['PATH']}"}
+        subprocess.run([COMMAND, "check", "scene.json", "--pairs", "--jsonl", "expected.jsonl"],
+                       cwd=self.folder, check=False, capture_output=True)
+
+    def sh(self, text, environment=None):
+        return subprocess.run(["sh", "-c", text], cwd=self.folder, text=True, capture_output=True,
+                              env=environment or self.environment, check=False)
+
+    def require(self, program, package):
+        if shutil.which(program) is None:
+            self.skipTest(f"{program} is missing (apt-get install {package})")
+
+    def expect_the_answer(self, ended):
+        self.assertEqual(ended.returncode, 1, ended.stderr)  # the bodies touch
+        self.assertEqual((self.folder / "contacts.jsonl").read_bytes(),
+                         (self.folder / "expected.jsonl").read_bytes())
+
+    def expect_a_lost_shard(self, ended):
+        self.assertTrue((self.folder / "killed").exists(), ended.stderr)
+        self.assertEqual(ended.returncode, 2)
+        self.assertRegex(ended.stderr, "shard 2/[0-9]+ is missing")
+        self.assertFalse((self.folder / "contacts.jsonl").exists())
+        self.assertFalse((self.folder / "2.shard").exists())
+
+    def test_gnu_parallel(self):
+        self.require("parallel", "parallel")
+        text = recipe("parallel")
+        self.expect_a_lost_shard(self.sh(text))
+        self.expect_the_answer(self.sh(text))
+        calls = (self.folder / "shards.log").read_text().count("--shard")
+        self.assertEqual(calls, 9, "only the killed shard is written again")
+
+    def test_many_scenes(self):
+        self.require("parallel", "parallel")
+        (self.folder / "scenes").mkdir()
+        for i in range(3):
+            (self.folder / "scenes" / f"{i}.json").write_text(SCENE.replace("0.4", f"{4 * i}"))
+        self.assertEqual(self.sh(recipe("scenes")).returncode, 1)  # one scene has contacts
+        self.assertEqual(len(list((self.folder / "answers").iterdir())), 3)
+
+    def test_slurm(self):
+        reason = one_node_slurm.reason_to_skip()
+        if reason:
+            self.skipTest(reason)
+        with tempfile.TemporaryDirectory() as scratch:
+            cluster = one_node_slurm.Cluster(scratch)
+            try:
+                cluster.__enter__()
+            except (RuntimeError, OSError) as error:
+                self.skipTest(f"Slurm does not start here: {error}")
+            try:
+                environment = {**self.environment, "SLURM_CONF": f"{scratch}/slurm.conf"}
+                self.expect_a_lost_shard(self.sh(recipe("slurm"), environment))
+                self.expect_the_answer(self.sh(recipe("slurm"), environment))
+            finally:
+                cluster.__exit__()
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
