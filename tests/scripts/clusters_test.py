@@ -15,12 +15,12 @@ import unittest
 
 import one_node_slurm
 
+sys.path.append(str(pathlib.Path(__file__).parent.parent / "tools" / "shard"))
+import check_runs  # noqa: E402  pylint: disable=wrong-import-position
+
 DOCUMENT = pathlib.Path(sys.argv.pop()).read_text(encoding="utf-8")
 COMMAND = sys.argv.pop()
-SCENE = """{"models": {"a": {"creature": {"triangles": 1000}}},
- "frames": {"count": 13, "fps": 6},
- "instances": [{"model": "a", "clip": "walk"},
-               {"model": "a", "clip": "idle", "translation": [0.4, 0, 0]}]}"""
+FRAMES = '"count": 13, "fps": 8'
 
 # Kills the first process that queries shard 2.
 KILLING = """#!/bin/sh
@@ -49,11 +49,16 @@ class ClusterTests(unittest.TestCase):
         (self.folder / "bin").mkdir()
         (self.folder / "bin" / "pelt").write_text(KILLING)
         (self.folder / "bin" / "pelt").chmod(0o755)
-        (self.folder / "scene.json").write_text(SCENE)
+        (self.folder / "limb.glb").write_bytes(check_runs.limb())
+        self.write_scene("scene.json", 0.7)
         self.environment = {**os.environ, "PELT": COMMAND, "HOME": folder.name,
                             "PATH": f"{folder.name}/bin:{os.environ['PATH']}"}
         subprocess.run([COMMAND, "check", "scene.json", "--pairs", "--jsonl", "expected.jsonl"],
                        cwd=self.folder, check=False, capture_output=True)
+
+    def write_scene(self, name, distance, model="limb.glb"):
+        text = check_runs.scene([("bend", 0, 0), ("bend", 0.3, distance)], FRAMES)
+        (self.folder / name).write_text(text.replace("limb.glb", model))
 
     def sh(self, text, environment=None):
         return subprocess.run(["sh", "-c", text], cwd=self.folder, text=True, capture_output=True,
@@ -87,7 +92,7 @@ class ClusterTests(unittest.TestCase):
         self.require("parallel", "parallel")
         (self.folder / "scenes").mkdir()
         for i in range(3):
-            (self.folder / "scenes" / f"{i}.json").write_text(SCENE.replace("0.4", f"{4 * i}"))
+            self.write_scene(f"scenes/{i}.json", 0.7 + 4 * i, "../limb.glb")
         self.assertEqual(self.sh(recipe("scenes")).returncode, 1)  # one scene has contacts
         self.assertEqual(len(list((self.folder / "answers").iterdir())), 3)
 

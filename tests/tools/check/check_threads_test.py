@@ -4,6 +4,7 @@
     check_threads_test.py COMMAND
 """
 
+import os
 import pathlib
 import sys
 import tempfile
@@ -47,11 +48,23 @@ class ThreadsTests(unittest.TestCase):
         self.assertEqual(codes[0], codes[1])
         self.assertEqual(codes[0][0][0], 1)
 
+    def test_pages_do_not_depend_on_threads(self):
+        version = self.pelt("--version")[1].split()[-1]
+        page = pathlib.Path(self.folder, "viewer.html")
+        page.write_text(f'<meta name="generator" content="Pelt {version}">'
+                        '<script type="application/json" id="pelt-data"></script>')
+        os.environ["PELT_VIEWER"] = str(page)
+        pages = set()
+        for options in ([], ["--threads", "1"], ["--threads", "3"]):
+            self.pelt("check", "pair.json", "--between", "--html", "out.html", *options)
+            pages.add(pathlib.Path(self.folder, "out.html").read_text())
+        self.assertEqual(len(pages), 1)
+
     def test_the_first_bad_frame_is_reported(self):
         # From frame 2 on, the body is too far away to be posed.
         text = pathlib.Path(self.folder, "pair.json").read_text()
-        text = text.replace('"fps": 6', '"fps": 1e-6')
-        text = text.replace('"translation": [0.4', '"velocity": [1e12, 0, 0], "translation": [0.4')
+        text = text.replace('"fps": 8', '"fps": 1e-6')
+        text = text.replace('"translation": [0.7', '"velocity": [1e12, 0, 0], "translation": [0.7')
         pathlib.Path(self.folder, "far.json").write_text(text)
         errors = {check_runs.answer(COMMAND, self.folder, "check", "far.json", "--threads", n)[0]
                   for n in ("1", "2", "7")}

@@ -114,7 +114,7 @@ class MergeTests(unittest.TestCase):
     def test_changed_inputs_are_named(self):
         files = self.write_shards(["pair.json"], 2)
         path = self.folder / "pair.json"
-        path.write_text(path.read_text().replace("0.4", "0.5"))
+        path.write_text(path.read_text().replace("0.7", "0.6"))
         self.assertIn("pair.json: has changed since the shards were written", self.refusal(*files))
 
     def test_damaged_files_are_named(self):
