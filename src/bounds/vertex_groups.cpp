@@ -81,7 +81,8 @@ std::size_t VertexGroups::memory_bytes() const {
          detail::bytes_held(groups_->places) + detail::bytes_held(bounds.nodes) +
          detail::bytes_held(bounds.joints) + detail::bytes_held(bounds.joint_boxes) +
          detail::bytes_held(bounds.shapes) + detail::bytes_held(bounds.fits) +
-         detail::bytes_held(bounds.displacement_begin, bounds.displacements);
+         detail::bytes_held(bounds.displacement_begin, bounds.displacements) +
+         detail::bytes_held(bounds.dual_bounds, bounds.joint_pairs);
 }
 
 Result<VertexGroups> group_triangles(const SkinnedModel& model,

@@ -12,10 +12,13 @@
 /// Morph targets come first: v = v0 + m_1 d_1 + m_2 d_2 ..., summed from the left, over the targets
 /// that displace the vertex and whose weight is not zero, in ascending order.
 ///
+/// Models with dual quaternion skinning have another definition; see dual_skin.hpp.
+///
 /// A Float8 holds two columns of B, which is why x is paired with z and y with the translation. A
 /// vertex with a single influence has weight 1 exactly, so B = C_j, the special case of one joint.
 
 #include "base/float8.hpp"
+#include "skin/dual_skin.hpp"
 #include "skin/palette.hpp"
 #include "skin/skinned_mesh.hpp"
 
@@ -60,9 +63,10 @@ inline Vec3 morphed_vertex(const SkinnedMesh& mesh, const MorphWeights& morphs,
 inline Float4 posed_vertex4(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {
   const Influence* influences = &mesh.influences[mesh.influence_begin[vertex]];
   const std::uint32_t count = mesh.influence_begin[vertex + 1] - mesh.influence_begin[vertex];
-  return posed_vertex4(
-      morphed_vertex(mesh, palette.morphs(), vertex), count,
-      [=](std::uint32_t i) { return influences[i]; }, palette.joints().data());
+  const auto at = [=](std::uint32_t i) { return influences[i]; };
+  const Vec3 rest = morphed_vertex(mesh, palette.morphs(), vertex);
+  return palette.is_dual() ? dual_posed_vertex4(rest, count, at, palette.duals().data())
+                           : posed_vertex4(rest, count, at, palette.joints().data());
 }
 
 inline Vec3 posed_vertex(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {
