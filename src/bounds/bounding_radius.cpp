@@ -26,8 +26,8 @@ float longest_shift(const NodeBounds& bounds, const Palette& palette) {
   const DualShift shift = dual_shift(bounds, 0, palette);
   float squared = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const float low = -shift.low[axis], high = shift.high[axis];
-    const float most = (low > high ? low : high) + shift.margin;
+    const float below = -shift.low[axis], above = shift.high[axis];
+    const float most = (below > above ? below : above) + shift.margin;
     squared += most * most;
   }
   return std::sqrt(squared + 0x1p-100f) * (1 + 0x1p-20f);

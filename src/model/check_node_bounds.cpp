@@ -218,8 +218,8 @@ Problem BoundsCheck::check_joint_pairs(std::size_t n) {
                      pair.second, joints);
     if (!is_share(pair.least) || !is_share(pair.most) || !is_share(pair.skew))
       return problem("bounds.joint_pairs[%zu] has impossible products of weights", i);
-    if (pair.with_pivot > 1)
-      return problem("bounds.joint_pairs[%zu].with_pivot is %u", i, pair.with_pivot);
+    if (pair.pivot != 0 && pair.pivot != 1)
+      return problem("bounds.joint_pairs[%zu].pivot is %g", i, double{pair.pivot});
     if (!is_point_within(pair.centre, reach_) || !is_half_within(pair.half, reach_))
       return problem("bounds.joint_pairs[%zu] is not a box within the mesh", i);
   }

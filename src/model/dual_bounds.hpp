@@ -70,8 +70,8 @@ struct JointPair {
   float centre[4] = {0, 0, 0, 1}, half[4] = {};  ///< box of the vertices that follow both
   float least = 0, most = 0;                     ///< of the products of their weights
   float skew = 0;
+  float pivot = 0;  ///< 1 if one of them is the pivot of each vertex that has both, otherwise 0
   std::uint16_t first = 0, second = 0;  ///< numbers among the joints of the node's bound
-  std::uint32_t with_pivot = 0;         ///< one of them is the pivot of each vertex that has both
 };
 
 /// What a node's bound adds with dual quaternion skinning.

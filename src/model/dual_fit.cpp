@@ -47,7 +47,7 @@ class PairFit {
       pair.skew = up(sums.skew);
       pair.first = static_cast<std::uint16_t>(sums.first);
       pair.second = static_cast<std::uint16_t>(sums.second);
-      pair.with_pivot = sums.with_pivot;
+      pair.pivot = sums.with_pivot ? 1 : 0;
       fit.pairs.push_back(pair);
     }
     fit.product_sum = up(product_sum_);

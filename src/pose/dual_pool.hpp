@@ -38,6 +38,8 @@ class Influences8 {
   std::uint32_t count() const { return count_[7]; }
 
   Dual<Float8> duals(std::uint32_t k, const DualQuaternion* palette) const {
+    if (k < count_[0])  // all lanes have it
+      return gather_duals([&](std::uint32_t lane) { return palette + joints_[begin_[lane] + k]; });
     return gather_duals(
         [&](std::uint32_t lane) { return palette + joints_[begin_[lane] + known(lane, k)]; });
   }
@@ -45,6 +47,10 @@ class Influences8 {
   /// A lane without influence k has the weight zero.
   Float8 weights(std::uint32_t k) const {
     float weights[8];
+    if (k < count_[0]) {
+      for (std::uint32_t lane = 0; lane < 8; ++lane) weights[lane] = weights_[begin_[lane] + k];
+      return load8(weights);
+    }
     for (std::uint32_t lane = 0; lane < 8; ++lane)
       weights[lane] = k < count_[lane] ? weights_[begin_[lane] + k] : 0;
     return load8(weights);

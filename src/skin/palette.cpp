@@ -54,7 +54,9 @@ Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const f
       dual_influences_(dual_influences),
       rest_extent_(std::max(rest_extent, kLeastRestExtent)),
       reach_(double{rest_extent_}),
-      extent_(extent_of(scan_, reach_)) {
+      extent_(extent_of(scan_, reach_)),
+      next_joints_(duals_.size()),
+      next_duals_(duals_.size()) {
   PELT_ASSERT(extent_ <= kMaxExtent);
 }
 
@@ -131,22 +133,20 @@ Result<void> Palette::set_dual_quaternions(std::span<const float> floats) {
   });
 }
 
-/// Converts twice, like `set_by`.
+/// Converts once, because this takes long, and swaps the results if all joints are valid.
 template <typename DualOf>
 Result<void> Palette::set_duals(const DualOf& dual_of) {
   PaletteScan all;
-  DualQuaternion dual;
   for (std::size_t j = 0; j < duals_.size(); ++j) {
-    if (Problem found = dual_of(j, dual); !found.empty()) return invalid_argument(std::move(found));
-    const Matrix4 matrix = to_matrix(dual);
+    if (Problem found = dual_of(j, next_duals_[j]); !found.empty())
+      return invalid_argument(std::move(found));
+    const Matrix4& matrix = next_joints_[j] = to_matrix(next_duals_[j]);
     const PaletteScan scan = scan_palette(matrix.m.data(), 1);
     if (!are_good(scan, reach_)) return invalid_argument(describe(matrix.m.data(), j));
     include(scan, all);
   }
-  for (std::size_t j = 0; j < duals_.size(); ++j) {
-    (void)dual_of(j, duals_[j]);
-    joints_[j] = to_matrix(duals_[j]);
-  }
+  std::swap(duals_, next_duals_);
+  std::swap(joints_, next_joints_);
   keep(all);
   return {};
 }

@@ -3,6 +3,7 @@
 #include <pelt/math.hpp>
 #include <pelt/result.hpp>
 
+#include "base/bytes_held.hpp"
 #include "skin/dual_quaternion.hpp"
 #include "skin/morph_weights.hpp"
 #include "skin/palette_scan.hpp"
@@ -81,7 +82,7 @@ class Palette {
   float reach() const { return extent_ * 1.7320510f; }
 
   std::size_t memory_bytes() const {
-    return joints().size_bytes() + duals().size_bytes() + morphs_.memory_bytes();
+    return bytes_held(joints_, duals_, next_joints_, next_duals_) + morphs_.memory_bytes();
   }
 
  private:
@@ -104,6 +105,10 @@ class Palette {
   float rest_extent_;
   double reach_;  // rest extent plus the extent of the weighted displacements
   float extent_;
+
+  // Working memory of set_duals; empty with linear blend skinning.
+  std::vector<Matrix4> next_joints_;
+  std::vector<DualQuaternion> next_duals_;
 };
 
 }  // namespace pelt::detail
