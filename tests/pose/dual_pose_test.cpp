@@ -11,10 +11,7 @@
 #include <pelt/bounds.hpp>
 #include <pelt/check.hpp>
 #include <pelt/collide.hpp>
-#include <pelt/crowd.hpp>
-#include <pelt/motion.hpp>
-#include <pelt/self_collide.hpp>
-#include <pelt/self_tracker.hpp>
+#include <pelt/prepared.hpp>
 #include <pelt/vertex_groups.hpp>
 
 #include "geometry/triangle_pair.hpp"
@@ -138,6 +135,23 @@ TEST(DualPose, ContactsEqualBruteForce) {
   std::printf("%d rounds with contacts, %d without\n", touching, apart);
   EXPECT_GT(touching, 40);
   EXPECT_GT(apart, 40);
+}
+
+TEST(DualPose, PreparedModelsKeepTheirSkinning) {
+  Random random(93);
+  Limbs limbs;
+  const auto loaded = load_model(save_model(limbs.a.model()));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->skinning(), Skinning::dual_quaternion);
+  EXPECT_EQ(save_model(*loaded), save_model(limbs.a.model()));
+  Pose pose(*loaded);
+  for (int round = 0; round < 10; ++round) {
+    const auto palette = Limbs::bent_and_twisted(random, 5, {});
+    ASSERT_TRUE(pose.set_palette(palette));
+    ASSERT_TRUE(limbs.a.set_palette(palette));
+    ASSERT_EQ(positions_of(pose), positions_of(limbs.a));
+    ASSERT_EQ(check_bounds(pose), "");
+  }
 }
 
 TEST(DualPose, BoundsAndSpheresEncloseAllVertices) {
