@@ -31,6 +31,7 @@ float free_part(pelt::Motion a, pelt::Motion b, std::uint64_t work);
 bool touch_before(pelt::Motion a, pelt::Motion b, float time);
 std::vector<pelt::RegionEntry> entered(pelt::Motion motion, const pelt::Sphere& trigger,
                                        pelt::Scratch& scratch);
+bool pose_rigid_joints(const pelt::SkinnedMeshView& mesh, std::span<const float> dual_quaternions);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
                std::span<const float> weights);
 std::vector<std::uint32_t> grounded(pelt::Pose& pose, const pelt::HeightField& ground,
@@ -195,6 +196,13 @@ TEST_F(QueryExamples, Morphs) {
   const Box displaced = smallest_box(limb);
   EXPECT_NE(displaced.high.x - displaced.low.x, still.high.x - still.low.x);
   EXPECT_FALSE(pose_face(limb, moved(5), std::vector<float>{2, 2}));
+}
+
+TEST_F(QueryExamples, Skinning) {
+  const Shape limb = make_limb(16, 12, 2);
+  EXPECT_TRUE(pose_rigid_joints(
+      limb.view(), std::vector<float>{0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}));
+  EXPECT_FALSE(pose_rigid_joints(limb.view(), std::vector<float>(16)));
 }
 
 TEST_F(QueryExamples, Motion) {
