@@ -40,10 +40,10 @@ int main(int argc, char** argv) {
     std::string_view name;
     Picture (*draw)();
   };
-  constexpr Entry kAll[] = {{"bounds", bounds_picture},   {"culling", culling_picture},
-                            {"ray", ray_picture},         {"distance", distance_picture},
-                            {"contact", contact_picture}, {"terrain", terrain_picture},
-                            {"inside", inside_picture},   {"morphs", morph_picture}};
+  constexpr Entry kAll[] = {
+      {"bounds", bounds_picture},     {"culling", culling_picture}, {"ray", ray_picture},
+      {"distance", distance_picture}, {"contact", contact_picture}, {"terrain", terrain_picture},
+      {"inside", inside_picture},     {"morphs", morph_picture},    {"skinning", skinning_picture}};
   constexpr Entry kOfSelf[] = {
       {"through", through_picture}, {"resting", resting_picture}, {"crease", crease_picture}};
   const auto is_named = [&](const Entry& entry) {

@@ -17,6 +17,7 @@ Picture contact_picture();   // contact_picture.cpp
 Picture terrain_picture();   // terrain_picture.cpp
 Picture inside_picture();    // inside_picture.cpp
 Picture morph_picture();     // morph_picture.cpp
+Picture skinning_picture();  // skinning_picture.cpp
 
 /// Contacts of a character with itself. All in self_pictures.cpp.
 Picture through_picture();

@@ -25,8 +25,29 @@ enum class OffWeights {
   renormalise,  ///< `build_model` divides the weights by their sum, as renderers do
 };
 
+/// How the joints of a vertex are blended. With either kind, a vertex that follows one rigid joint
+/// moves with this joint.
+enum class Skinning : std::uint8_t {
+  /// A posed vertex is the weighted mean of its images under the joint matrices. Where joints twist
+  /// against each other, skin collapses.
+  linear,
+
+  /// A posed vertex is moved by the weighted sum of the joints' dual quaternions (Kavan, Collins,
+  /// Zara & O'Sullivan 2007). Skin does not collapse, because every vertex is moved rigidly. Joints
+  /// must be rigid. A joint's quaternion is negated if it points away from that of the joint with
+  /// the largest weight of the vertex; of equal weights, that of the lowest joint.
+  dual_quaternion,
+};
+
+/// Largest number of influences of a vertex in a model with dual quaternion skinning.
+inline constexpr std::uint32_t kMaxDualInfluences = 16;
+
 struct ModelOptions {
   OffWeights off_weights = OffWeights::refuse;
+
+  /// With `Skinning::dual_quaternion`, `build_model` returns an error if a vertex follows more than
+  /// `kMaxDualInfluences` joints.
+  Skinning skinning = Skinning::linear;
 
   /// [S][J] joint palettes of S typical poses, for example from the character's clips. The tree is
   /// optimised for these poses. With six poses, queries are up to 20 % faster, and the build takes
@@ -61,6 +82,7 @@ class PELT_API SkinnedModel {
   std::uint32_t vertex_count() const;
   std::uint32_t triangle_count() const;
   std::uint32_t joint_count() const;
+  Skinning skinning() const;
   std::uint32_t morph_target_count() const;
   const BuildReport& report() const;
 

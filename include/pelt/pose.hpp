@@ -45,8 +45,11 @@ class PELT_API Pose {
   /// Returns an error and leaves the pose unchanged if
   /// - the number of matrices is not `model().joint_count()`,
   /// - an element of a matrix is not finite,
-  /// - the last row of a matrix is not 0 0 0 1 (the matrix is probably row-major), or
-  /// - a matrix could move a vertex more than 2^60 units away from the origin.
+  /// - the last row of a matrix is not 0 0 0 1 (the matrix is probably row-major),
+  /// - a matrix could move a vertex more than 2^60 units away from the origin, or
+  /// - the model has dual quaternion skinning and a matrix A is not rigid: it mirrors, or an
+  /// element
+  ///   of A^T A - I is more than 2^-10.
   /// If a matrix is invalid, the error names its joint.
   ///
   /// For the check of 2^60 units, a mesh that reaches less than 2^-60 units from the origin counts
@@ -64,6 +67,22 @@ class PELT_API Pose {
   /// rounded once, to the nearest float (ties to even), and the floats are then validated. An
   /// element beyond the range of float becomes infinite and is an error.
   Result<void> set_palette(std::span<const double> palette);
+
+  /// Copies a joint palette of dual quaternions, 8 floats per joint: the rotation as a quaternion
+  /// x, y, z, w, then the dual part, which is the product of (t / 2, 0) and the rotation for the
+  /// translation t. Both are normalised in double and rounded once. For models with
+  /// `Skinning::dual_quaternion`; `set_palette` accepts rigid matrices for them.
+  ///
+  /// Cost: O(J). Allocates nothing.
+  ///
+  /// Returns an error and leaves the pose unchanged if
+  /// - the model has another kind of skinning,
+  /// - the number of floats is not 8 times `model().joint_count()`,
+  /// - a float is not finite,
+  /// - the squared length of a rotation differs from 1 by more than 2^-10, or
+  /// - a vertex could be moved more than 2^60 units away from the origin.
+  /// If a dual quaternion is invalid, the error names its joint.
+  Result<void> set_dual_quaternions(std::span<const float> dual_quaternions);
 
   /// Copies the weights of the model's morph targets. Before the joints transform a vertex, the
   /// vertex is displaced by the sum of weight x displacement over all targets. Any finite weight is
@@ -136,8 +155,8 @@ class PELT_API Pose {
 };
 
 /// Writes all posed vertices, bit for bit the float32 positions that queries use. A posed vertex is
-/// its rest position plus the weighted displacements of the morph targets, transformed by linear
-/// blend skinning (Kavan & Zara 2005, eq. 1), plus its clamped offset; or the vertex given to
+/// its rest position plus the weighted displacements of the morph targets, transformed as the
+/// model's `Skinning` defines, plus its clamped offset; or the vertex given to
 /// `Pose::set_vertices`. Queries do not need this function.
 ///
 /// Precondition: `out` has `pose.model().vertex_count()` elements.

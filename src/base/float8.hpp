@@ -173,5 +173,52 @@ inline Points8 transpose8(const Float4& p0, const Float4& p1, const Float4& p2, 
 #endif
 }
 
+/// Eight vectors of four floats in structure-of-arrays order.
+struct Rows8 {
+  Float8 x, y, z, w;
+};
+
+/// Like `transpose8`, with the fourth lanes.
+inline Rows8 rows8(const Float4& p0, const Float4& p1, const Float4& p2, const Float4& p3,
+                   const Float4& p4, const Float4& p5, const Float4& p6, const Float4& p7) {
+#if defined(PELT_INSTRUCTION_SET_AVX2)
+  const __m256 a = Float8(p0, p4).lanes, b = Float8(p1, p5).lanes;
+  const __m256 c = Float8(p2, p6).lanes, d = Float8(p3, p7).lanes;
+  const __m256 ab_xy = _mm256_unpacklo_ps(a, b), cd_xy = _mm256_unpacklo_ps(c, d);
+  const __m256 ab_zw = _mm256_unpackhi_ps(a, b), cd_zw = _mm256_unpackhi_ps(c, d);
+  return {
+      Float8(_mm256_shuffle_ps(ab_xy, cd_xy, 0x44)), Float8(_mm256_shuffle_ps(ab_xy, cd_xy, 0xEE)),
+      Float8(_mm256_shuffle_ps(ab_zw, cd_zw, 0x44)), Float8(_mm256_shuffle_ps(ab_zw, cd_zw, 0xEE))};
+#else
+  Float4 a = p0, b = p1, c = p2, d = p3, e = p4, f = p5, g = p6, h = p7;
+  transpose(a, b, c, d);
+  transpose(e, f, g, h);
+  return {{a, e}, {b, f}, {c, g}, {d, h}};
+#endif
+}
+
+/// Writes the points one by one, the inverse of `transpose8`. Fourth lanes are meaningless.
+inline void points_of(const Points8& p, Float4 (&points)[8]) {
+#if defined(PELT_INSTRUCTION_SET_AVX2)
+  const __m256 xy_low = _mm256_unpacklo_ps(p.x.lanes, p.y.lanes);
+  const __m256 xy_high = _mm256_unpackhi_ps(p.x.lanes, p.y.lanes);
+  const __m256 z_low = _mm256_unpacklo_ps(p.z.lanes, p.z.lanes);
+  const __m256 z_high = _mm256_unpackhi_ps(p.z.lanes, p.z.lanes);
+  const Float8 twice[] = {Float8(_mm256_shuffle_ps(xy_low, z_low, 0x44)),
+                          Float8(_mm256_shuffle_ps(xy_low, z_low, 0xEE)),
+                          Float8(_mm256_shuffle_ps(xy_high, z_high, 0x44)),
+                          Float8(_mm256_shuffle_ps(xy_high, z_high, 0xEE))};
+  for (int i = 0; i < 4; ++i) points[i] = twice[i].low(), points[4 + i] = twice[i].high();
+#else
+  for (int half = 0; half < 2; ++half) {
+    const auto part = [half](const Float8& v) { return half == 0 ? v.low() : v.high(); };
+    Float4 a = part(p.x), b = part(p.y), c = part(p.z), d = c;
+    transpose(a, b, c, d);
+    Float4* const to = points + 4 * half;
+    to[0] = a, to[1] = b, to[2] = c, to[3] = d;
+  }
+#endif
+}
+
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

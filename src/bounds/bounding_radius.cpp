@@ -22,6 +22,23 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
+namespace {
+
+/// Returns an upper bound of how far dual quaternion skinning moves a vertex away from where linear
+/// blend skinning moves it.
+float longest_shift(const NodeBounds& bounds, const Palette& palette) {
+  const DualShift shift = dual_shift(bounds, 0, palette);
+  float squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float below = -shift.low[axis], above = shift.high[axis];
+    const float most = (below > above ? below : above) + shift.margin;
+    squared += most * most;
+  }
+  return std::sqrt(squared + 0x1p-100f) * (1 + 0x1p-20f);
+}
+
+}  // namespace
+
 float bounding_radius(const NodeBounds& bounds, const Palette& palette, const float* centre) {
   const NodeBound& root = bounds.nodes[0];
   if (root.is_affine()) return HUGE_VALF;
@@ -45,7 +62,8 @@ float bounding_radius(const NodeBounds& bounds, const Palette& palette, const fl
     const float distance = squares[0] + squares[1] + squares[2];
     farthest = distance > farthest ? distance : farthest;
   }
-  return std::sqrt(farthest + 0x1p-100f) * (1 + 0x1p-20f);
+  const float radius = std::sqrt(farthest + 0x1p-100f) * (1 + 0x1p-20f);
+  return palette.is_dual() ? radius + longest_shift(bounds, palette) : radius;
 }
 
 }  // namespace PELT_INSTRUCTION_SET

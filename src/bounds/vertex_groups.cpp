@@ -82,6 +82,7 @@ std::size_t VertexGroups::memory_bytes() const {
          detail::bytes_held(bounds.joints) + detail::bytes_held(bounds.joint_boxes) +
          detail::bytes_held(bounds.shapes) + detail::bytes_held(bounds.fits) +
          detail::bytes_held(bounds.displacement_begin, bounds.displacements) +
+         detail::bytes_held(bounds.dual_bounds, bounds.joint_pairs) +
          detail::bytes_held(bounds.offset_caps);
 }
 

@@ -44,6 +44,7 @@ RootBox united(RootBox box, const RootBox& other) {
 /// particular order.
 void prefetch_palette(const CrowdInstance& instance) {
   for (const Matrix4& joint : instance.palette.joints()) __builtin_prefetch(&joint);
+  for (const DualQuaternion& joint : instance.palette.duals()) __builtin_prefetch(&joint);
 }
 
 /// Reserves as much memory as all workers used together, so that any worker could do all the work

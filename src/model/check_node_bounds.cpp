@@ -30,6 +30,9 @@ bool is_half_within(const float (&v)[4], double limit) {
   return is_vector_within(v, limit) && v[0] >= 0 && v[1] >= 0 && v[2] >= 0;
 }
 
+/// Whether a number can be a product of weights that sum to one, or a sum of products.
+bool is_share(float number) { return number >= 0 && number <= 0.5f; }
+
 class BoundsCheck {
  public:
   BoundsCheck(const NodeBounds& bounds, const Tree& tree)
@@ -37,10 +40,10 @@ class BoundsCheck {
 
   /// Later checks rely on the earlier ones.
   Problem run() {
-    for (const auto check :
-         {&BoundsCheck::check_nodes, &BoundsCheck::check_joints, &BoundsCheck::check_joint_boxes,
-          &BoundsCheck::check_shapes, &BoundsCheck::check_fits,
-          &BoundsCheck::check_displacement_begin, &BoundsCheck::check_displacements})
+    for (const auto check : {&BoundsCheck::check_nodes, &BoundsCheck::check_joints,
+                             &BoundsCheck::check_joint_boxes, &BoundsCheck::check_shapes,
+                             &BoundsCheck::check_fits, &BoundsCheck::check_displacement_begin,
+                             &BoundsCheck::check_displacements, &BoundsCheck::check_dual_bounds})
       if (Problem found = (this->*check)(); !found.empty()) return found;
     return {};
   }
@@ -54,6 +57,8 @@ class BoundsCheck {
   Problem check_fits();
   Problem check_displacement_begin();
   Problem check_displacements();
+  Problem check_dual_bounds();
+  Problem check_joint_pairs(std::size_t n);
 
   const NodeBounds& bounds_;
   const Tree& tree_;
@@ -176,6 +181,47 @@ Problem BoundsCheck::check_displacements() {
       if (!is_vector_within(box.centre, reach) || !is_half_within(box.half, reach))
         return problem("bounds.displacements[%u] is not a box of displacements", i);
     }
+  }
+  return {};
+}
+
+/// Checks that the pairs of each node follow those of the node before, as fitting stores them,
+/// children first.
+Problem BoundsCheck::check_dual_bounds() {
+  const std::size_t expected = tree_.dual_influences > 0 ? bounds_.nodes.size() : 0;
+  if (bounds_.dual_bounds.size() != expected)
+    return problem("bounds.dual_bounds has %zu elements, expected %zu", bounds_.dual_bounds.size(),
+                   expected);
+  std::size_t pairs = 0;
+  for (std::size_t n = expected; n-- > 0;) {
+    const DualBound& dual = bounds_.dual_bounds[n];
+    if (dual.first_pair != pairs || dual.pair_count > bounds_.joint_pairs.size() - pairs)
+      return problem("bounds.dual_bounds[%zu] has other joint_pairs than its own", n);
+    if (!is_share(dual.product_sum) || !is_share(dual.skew_sum))
+      return problem("bounds.dual_bounds[%zu] has sums of %g and %g", n, double{dual.product_sum},
+                     double{dual.skew_sum});
+    if (Problem found = check_joint_pairs(n); !found.empty()) return found;
+    pairs += dual.pair_count;
+  }
+  if (pairs == bounds_.joint_pairs.size()) return {};
+  return problem("bounds.dual_bounds have %zu joint_pairs of %zu", pairs,
+                 bounds_.joint_pairs.size());
+}
+
+Problem BoundsCheck::check_joint_pairs(std::size_t n) {
+  const DualBound& dual = bounds_.dual_bounds[n];
+  const std::size_t joints = bounds_.nodes[n].joint_count;
+  for (std::size_t i = dual.first_pair; i < std::size_t{dual.first_pair} + dual.pair_count; ++i) {
+    const JointPair& pair = bounds_.joint_pairs[i];
+    if (pair.first >= joints || pair.second >= joints || pair.first == pair.second)
+      return problem("bounds.joint_pairs[%zu] has the joints %u and %u of %zu", i, pair.first,
+                     pair.second, joints);
+    if (!is_share(pair.least) || !is_share(pair.most) || !is_share(pair.skew))
+      return problem("bounds.joint_pairs[%zu] has impossible products of weights", i);
+    if (pair.pivot != 0 && pair.pivot != 1)
+      return problem("bounds.joint_pairs[%zu].pivot is %g", i, double{pair.pivot});
+    if (!is_point_within(pair.centre, reach_) || !is_half_within(pair.half, reach_))
+      return problem("bounds.joint_pairs[%zu] is not a box within the mesh", i);
   }
   return {};
 }

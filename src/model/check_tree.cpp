@@ -41,6 +41,7 @@ class StructureCheck {
   Problem check_influence_begin();
   Problem check_vertices();
   Problem check_influences(std::size_t vertex);
+  bool is_behind_pivot(std::uint32_t first, std::uint32_t i) const;
   Problem check_nodes();
   Problem check_clusters();
   Problem check_pools();
@@ -93,6 +94,9 @@ Problem StructureCheck::check_influence_begin() {
 }
 
 Problem StructureCheck::check_vertices() {
+  if (tree_.dual_influences > kMaxDualInfluences)
+    return problem("dual_influences is %u, expected at most %u", tree_.dual_influences,
+                   kMaxDualInfluences);
   Vec3 largest;
   for (std::size_t p = 0; p < tree_.rest_positions.size(); ++p) {
     const Vec3& v = tree_.rest_positions[p];
@@ -110,16 +114,28 @@ Problem StructureCheck::check_vertices() {
   return {};
 }
 
+/// Whether influence i has a smaller weight than the first, or the same and a higher joint.
+bool StructureCheck::is_behind_pivot(std::uint32_t first, std::uint32_t i) const {
+  return tree_.weights[i] < tree_.weights[first] ||
+         (tree_.weights[i] == tree_.weights[first] && tree_.joints[i] > tree_.joints[first]);
+}
+
 Problem StructureCheck::check_influences(std::size_t vertex) {
   const std::uint32_t begin = tree_.influence_begin[vertex];
   const std::uint32_t end = tree_.influence_begin[vertex + 1];
+  const bool is_dual = tree_.dual_influences > 0;
+  if (is_dual && end - begin > tree_.dual_influences)
+    return problem("vertex %zu has %u influences of %u", vertex, end - begin,
+                   tree_.dual_influences);
   double sum = 0;
   for (std::uint32_t i = begin; i < end; ++i) {
     if (tree_.joints[i] >= tree_.joint_count)
       return problem("joints[%u] is %u, but joint_count is %u", i, tree_.joints[i],
                      tree_.joint_count);
-    if (i > begin && tree_.joints[i] <= tree_.joints[i - 1])
+    if (i > begin + is_dual && tree_.joints[i] <= tree_.joints[i - 1])
       return problem("joints[%u] of vertex %zu does not ascend", i, vertex);
+    if (is_dual && i > begin && !is_behind_pivot(begin, i))
+      return problem("joints[%u] of vertex %zu should be the first", i, vertex);
     if (!(tree_.weights[i] > 0))
       return problem("weights[%u] is %g", i, static_cast<double>(tree_.weights[i]));
     sum += double{tree_.weights[i]};

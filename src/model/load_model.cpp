@@ -70,6 +70,7 @@ detail::Model read_model(std::span<const std::byte> file, const PreparedHeader& 
   detail::Model model;
   model.tree.joint_count = header.joint_count;
   model.tree.rest_extent = header.rest_extent;
+  model.tree.dual_influences = header.dual_influences;
   model.report = header.report;
   std::size_t next = 0, end = sizeof header;
   detail::each_array(model, [&]<typename T>(std::vector<T>& array) {

@@ -16,6 +16,10 @@ using detail::Palette;
 using detail::problem;
 using detail::SkinnedMesh;
 
+Palette rest_palette_without_morphs(const SkinnedMesh& mesh) {
+  return Palette(mesh.joint_count, mesh.rest_extent, {}, mesh.dual_influences);
+}
+
 /// Returns the caller's sample poses, or an error for the first that is not a valid palette.
 Result<std::vector<Palette>> take_sample_poses(const SkinnedMesh& mesh,
                                                std::span<const Matrix4> matrices) {
@@ -24,8 +28,7 @@ Result<std::vector<Palette>> take_sample_poses(const SkinnedMesh& mesh,
     return invalid_argument(
         problem("sample_palettes has %zu matrices, expected a multiple of the model's %zu joints",
                 matrices.size(), joints));
-  std::vector<Palette> palettes(matrices.size() / joints,
-                                Palette(mesh.joint_count, mesh.rest_extent));
+  std::vector<Palette> palettes(matrices.size() / joints, rest_palette_without_morphs(mesh));
   for (std::size_t s = 0; s < palettes.size(); ++s) {
     const Result<void> taken = palettes[s].set(matrices.subspan(s * joints, joints));
     if (!taken)
@@ -53,6 +56,9 @@ SkinnedModel::SkinnedModel(std::shared_ptr<const detail::Model> model) : model_(
 std::uint32_t SkinnedModel::vertex_count() const { return model_->tree.vertex_count(); }
 std::uint32_t SkinnedModel::triangle_count() const { return model_->tree.triangle_count(); }
 std::uint32_t SkinnedModel::joint_count() const { return model_->tree.joint_count; }
+Skinning SkinnedModel::skinning() const {
+  return model_->tree.dual_influences > 0 ? Skinning::dual_quaternion : Skinning::linear;
+}
 std::uint32_t SkinnedModel::morph_target_count() const {
   return model_->tree.morphs.target_count();
 }

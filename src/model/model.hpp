@@ -40,6 +40,8 @@ void each_array(AnyModel& model, Visit&& visit) {
   visit(model.bounds.fits);
   visit(model.bounds.displacement_begin);
   visit(model.bounds.displacements);
+  visit(model.bounds.dual_bounds);
+  visit(model.bounds.joint_pairs);
 }
 
 }  // namespace pelt::detail

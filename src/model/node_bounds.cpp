@@ -3,6 +3,7 @@
 #include "model/bound_fit.hpp"
 #include "model/check_node_bounds.hpp"
 #include "model/displacement_fit.hpp"
+#include "model/dual_fit.hpp"
 #include "model/node_box.hpp"
 
 #include <algorithm>
@@ -51,8 +52,8 @@ bool is_affine_better(const NodeVertices& vertices, const JointBoxesFit& boxes,
   both.nodes = {add_joint_boxes(boxes, vertices.joints(), both), add_affine(affine, both)};
   double boxes_area = 0, affine_area = 0;
   for (const Palette& palette : samples) {
-    boxes_area += half_area(node_box(both, 0, palette));
-    affine_area += half_area(node_box(both, 1, palette));
+    boxes_area += half_area(linear_box(both, 0, palette));
+    affine_area += half_area(linear_box(both, 1, palette));
   }
   return affine_area < kAffineAdvantage * boxes_area;
 }
@@ -101,6 +102,9 @@ NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uin
     bounds.nodes.push_back(places.empty() ? NodeBound{}
                                           : fit_node(vertices, rounding, samples, bounds));
     if (!tree.offset_caps.empty()) bounds.offset_caps.push_back(largest_cap(tree, places));
+    if (vertices.is_dual())
+      bounds.dual_bounds.push_back(
+          add_dual(fit_dual(vertices), vertices.joints(), bounds.nodes.back(), bounds));
   }
   if (tree.morphs.extents.empty()) return bounds;
   DisplacementFit displacements(tree);
@@ -113,11 +117,15 @@ NodeBounds fit_set_bounds(const Tree& tree, std::span<const std::vector<std::uin
 NodeBounds fit_node_bounds(const Tree& tree, std::span<const Palette> samples) {
   NodeBounds bounds;
   bounds.nodes.resize(tree.nodes.size());
+  if (tree.dual_influences > 0) bounds.dual_bounds.resize(tree.nodes.size());
   const WeightRounding rounding = weight_rounding(tree);
   NodeVertices vertices(tree);
   each_subtree(tree, [&](std::uint32_t node, std::span<const std::uint32_t> places) {
     vertices.assign(places);
     bounds.nodes[node] = fit_node(vertices, rounding, samples, bounds);
+    if (vertices.is_dual())
+      bounds.dual_bounds[node] =
+          add_dual(fit_dual(vertices), vertices.joints(), bounds.nodes[node], bounds);
   });
   find_offset_caps(tree, bounds);
   if (tree.morphs.extents.empty()) return bounds;

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Rest-pose data of the bounds of nodes. There are two kinds of bounds. The build stores for each
+/// Rest-pose data of the bounds of nodes with linear blend skinning; dual_bounds.hpp has what dual
+/// quaternion skinning adds. There are two kinds of bounds. The build stores for each
 /// node the kind that is smaller on sample poses; node_box.hpp evaluates them on a palette.
 ///
 /// Symbols (a ~ appends a fourth component: 1 to points, 0 to differences):
@@ -89,6 +90,7 @@
 /// beside u M. Underflow of translations and in the last steps is negligible beside 2^-120, which
 /// every margin includes.
 
+#include "model/dual_bounds.hpp"
 #include "model/tree.hpp"
 #include "skin/palette.hpp"
 
@@ -156,6 +158,10 @@ struct NodeBounds {
   // Displacement boxes by rest body: joint boxes first, then shapes. Targets of a body ascend.
   std::vector<std::uint32_t> displacement_begin;  // [bodies + 1]; empty if there are no targets
   std::vector<DisplacementBox> displacements;
+
+  // With dual quaternion skinning; otherwise empty.
+  std::vector<DualBound> dual_bounds;  // [N]
+  std::vector<JointPair> joint_pairs;
 
   std::vector<float> offset_caps;  // [N] largest below; empty if there are none; not in files
 };

@@ -2,45 +2,14 @@
 
 /// Evaluates a node's bound on a palette; model/node_bounds.hpp has the formulas and their proof.
 
-#include "base/float8.hpp"
 #include "geometry/box4.hpp"
+#include "model/dual_box.hpp"
 #include "model/node_bounds.hpp"
-#include "model/pool_morphs.hpp"
+#include "model/rest_images.hpp"
 #include "skin/palette.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
-
-/// Columns of a 3 x 4 matrix, in pairs.
-struct ColumnPairs {
-  Float8 xy, zt;
-};
-
-inline ColumnPairs load_columns(const Matrix4& m) {
-  return {load8(m.m.data()), load8(m.m.data() + 8)};
-}
-
-inline ColumnPairs operator+(const ColumnPairs& a, const ColumnPairs& b) {
-  return {a.xy + b.xy, a.zt + b.zt};
-}
-inline ColumnPairs operator-(const ColumnPairs& a, const ColumnPairs& b) {
-  return {a.xy - b.xy, a.zt - b.zt};
-}
-inline ColumnPairs operator*(float s, const ColumnPairs& m) {
-  return {Float8(s) * m.xy, Float8(s) * m.zt};
-}
-
-inline ColumnPairs magnitudes(const ColumnPairs& m) { return {abs(m.xy), abs(m.zt)}; }
-
-inline ColumnPairs without_translation(const ColumnPairs& m) {
-  return {m.xy, Float8(m.zt.low(), Float4(0.0f))};
-}
-
-/// The columns times the factors, as two partial sums that `fold` adds.
-inline Float8 image(const ColumnPairs& m, const ColumnFactors& v) {
-  return v.xy * m.xy + v.zw * m.zt;
-}
-inline Float8 image(const ColumnPairs& m, const float* v) { return image(m, column_factors(v)); }
 
 /// The columns t v_x, t v_y, t v_z and t v_w.
 inline ColumnPairs outer_product(const Float4& t, const float* v) {
@@ -92,33 +61,6 @@ inline Box4 affine_box(const NodeBounds& bounds, const NodeBound& bound, const f
   const Float4 axes_centre = centre + fold(image(a, shape.axes_centre));
   return intersect({centre - half, centre + half},
                    {axes_centre - axes_half, axes_centre + axes_half});
-}
-
-/// Box of the displacement of a rest body's vertices by the active morph targets.
-struct BodyDisplacement {
-  Float4 centre, half;
-  std::uint32_t target_count;
-
-  JointBox displaced(const float* rest_centre, const float* rest_half) const {
-    JointBox box;
-    store4(box.centre, load4(rest_centre) + centre);
-    store4(box.half, load4(rest_half) + half);
-    return box;
-  }
-};
-
-inline BodyDisplacement displacement_of(const NodeBounds& bounds, std::size_t body,
-                                        const MorphWeights& morphs) {
-  BodyDisplacement sum = {Float4(0.0f), Float4(0.0f), 0};
-  const std::uint32_t* begin = bounds.displacement_begin.data() + body;
-  const DisplacementBox* boxes = bounds.displacements.data();
-  each_active(boxes + begin[0], boxes + begin[1], morphs, [&](const DisplacementBox& box) {
-    const Float4 weight(morphs[box.target]);
-    sum.centre = sum.centre + weight * load4(box.centre);
-    sum.half = sum.half + abs(weight) * load4(box.half);
-    ++sum.target_count;
-  });
-  return sum;
 }
 
 /// Largest image of a box around zero under the linear parts of the node's joints, on each axis.
@@ -212,8 +154,8 @@ inline Box4 offset_box(const NodeBounds& bounds, std::uint32_t node, const Box4&
   return {box.low - cap, box.high + cap};
 }
 
-/// A box around every posed vertex below `node`, without its offset.
-inline Box4 skin_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
+/// A box around every vertex below `node`, posed by linear blend skinning.
+inline Box4 linear_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
   const NodeBound& bound = bounds.nodes[node];
   const Float4 margin(bound.margin * palette.extent() + 0x1p-120f);
   if (palette.morphs().any() && has_displacements(bounds, bound)) {
@@ -227,7 +169,8 @@ inline Box4 skin_box(const NodeBounds& bounds, std::uint32_t node, const Palette
 
 /// A box around every posed vertex below `node`.
 inline Box4 node_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
-  const Box4 box = skin_box(bounds, node, palette);
+  Box4 box = linear_box(bounds, node, palette);
+  if (palette.is_dual()) box = dual_box(bounds, node, palette, box);
   return palette.offsets().empty() ? box : offset_box(bounds, node, box);
 }
 

@@ -13,6 +13,7 @@ PreparedHeader header_of(const detail::Model& model) {
   PreparedHeader header;
   header.joint_count = model.tree.joint_count;
   header.rest_extent = model.tree.rest_extent;
+  header.dual_influences = model.tree.dual_influences;
   header.report = model.report;
   std::size_t next = 0;
   detail::each_array(model, [&](const auto& array) {

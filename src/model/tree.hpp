@@ -66,7 +66,7 @@ struct Tree {
   // Vertices [P] of all pools in the order of the nodes, then the vertices without triangles.
   std::vector<Vec3> rest_positions;            // [P]
   std::vector<std::uint32_t> influence_begin;  // [P + 1], into joints and weights
-  std::vector<std::uint16_t> joints;           // of the influences; ascending for each vertex
+  std::vector<std::uint16_t> joints;           // of the influences; order as in SkinnedMesh
   std::vector<float> weights;                  // of the influences, positive
 
   // Triangles [T] in the order of the clusters.
@@ -93,7 +93,8 @@ struct Tree {
   PoolMorphs morphs;
 
   std::uint32_t joint_count = 0;
-  float rest_extent = 0;  // as in SkinnedMesh
+  float rest_extent = 0;              // as in SkinnedMesh
+  std::uint32_t dual_influences = 0;  // as in SkinnedMesh
 
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(vertex_places.size()); }
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle_ids.size()); }
@@ -101,7 +102,7 @@ struct Tree {
 
 /// The palette of an instance in the rest pose.
 inline Palette rest_palette(const Tree& tree) {
-  return Palette(tree.joint_count, tree.rest_extent, tree.morphs.extents);
+  return Palette(tree.joint_count, tree.rest_extent, tree.morphs.extents, tree.dual_influences);
 }
 
 }  // namespace pelt::detail

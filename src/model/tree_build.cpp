@@ -45,6 +45,7 @@ class TreeWriter {
         places_(mesh.vertex_count(), kNowhere) {
     tree_.joint_count = mesh.joint_count;
     tree_.rest_extent = mesh.rest_extent;
+    tree_.dual_influences = mesh.dual_influences;
     tree_.influence_begin.push_back(0);
     tree_.morphs.extents = mesh.morph_extents;
   }

@@ -54,6 +54,7 @@ SkinnedMesh unpack_vertices(const Tree& tree) {
     mesh.influences.push_back({tree.joints[i], tree.weights[i]});
   mesh.joint_count = tree.joint_count;
   mesh.rest_extent = tree.rest_extent;
+  mesh.dual_influences = tree.dual_influences;
   unpack_displacements(tree.morphs, mesh);
   mesh.offset_caps = tree.offset_caps;
   return mesh;
@@ -64,6 +65,7 @@ SkinnedMesh unpack_mesh(const Tree& tree) {
   SkinnedMesh mesh;
   mesh.joint_count = tree.joint_count;
   mesh.rest_extent = tree.rest_extent;
+  mesh.dual_influences = tree.dual_influences;
   mesh.influence_begin.push_back(0);
   mesh.morph_extents = tree.morphs.extents;
   if (!mesh.morph_extents.empty()) mesh.displacement_begin.push_back(0);

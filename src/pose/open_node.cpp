@@ -1,6 +1,7 @@
 #include "pose/open_node.hpp"
 
 #include "model/node_box.hpp"
+#include "pose/dual_pool.hpp"
 #include "pose/morph_pool.hpp"
 #include "pose/morphed_rest.hpp"
 #include "skin/skin.hpp"
@@ -21,18 +22,24 @@ struct VertexArrays {
     return influence_begin[place + 1] - influence_begin[place];
   }
 
+  /// Returns the influences of the vertex at `place` as a function of their number.
+  [[gnu::always_inline]] auto influences(std::uint32_t place) const {
+    const std::uint16_t* joint = joints + influence_begin[place];
+    const float* weight = weights + influence_begin[place];
+    return [=](std::uint32_t i) { return Influence{joint[i], weight[i]}; };
+  }
+
   /// Poses the vertex at `place` with `count` influences and the rest position `rest`.
   [[gnu::always_inline]] Float4 pose(const Vec3& rest, std::uint32_t place, std::uint32_t count,
                                      const Matrix4* palette) const {
-    const std::uint32_t begin = influence_begin[place];
-    const std::uint16_t* joint = joints + begin;
-    const float* weight = weights + begin;
-    return posed_vertex4(
-        rest, count,
-        [=](std::uint32_t i) {
-          return Influence{joint[i], weight[i]};
-        },
-        palette);
+    return posed_vertex4(rest, count, influences(place), palette);
+  }
+
+  Float4 pose(const Vec3& rest, std::uint32_t place, const Palette& palette) const {
+    const std::uint32_t count = influence_count(place);
+    return palette.is_dual()
+               ? dual_posed_vertex4(rest, count, influences(place), palette.duals().data())
+               : pose(rest, place, count, palette.joints().data());
   }
 
   const std::uint32_t* influence_begin;
@@ -53,8 +60,8 @@ std::uint32_t pose_run(const VertexArrays& arrays, const RestAt& rest_at, const 
 /// Poses a pool, which is sorted by number of influences. `rest_at(place, out)` returns the rest
 /// position of a vertex, where `out` is the destination of the posed vertex.
 template <typename RestAt>
-void pose_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* palette, std::uint32_t place,
-               std::uint32_t end, float* out) {
+void pose_linear_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* palette,
+                      std::uint32_t place, std::uint32_t end, float* out) {
   const VertexArrays arrays(tree);
   place = pose_run<1>(arrays, rest_at, palette, place, end, out);
   place = pose_run<2>(arrays, rest_at, palette, place, end, out);
@@ -64,21 +71,30 @@ void pose_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* palette, 
     store4(out, arrays.pose(rest_at(place, out), place, arrays.influence_count(place), palette));
 }
 
+template <typename RestAt>
+void pose_pool(const PosedTree& posed, const Node& node, const RestAt& rest_at, float* out) {
+  const std::uint32_t begin = node.first_vertex, end = begin + node.vertex_count;
+  if (posed.palette.is_dual())
+    pose_dual_pool(posed.tree, rest_at, posed.palette.duals().data(), begin, end, out);
+  else
+    pose_linear_pool(posed.tree, rest_at, posed.palette.joints().data(), begin, end, out);
+}
+
 void pose_node(const PosedTree& posed, const Node& node, float* out) {
   const Vec3* rest = posed.tree.rest_positions.data();
   pose_pool(
-      posed.tree, [=](std::uint32_t place, const float*) -> const Vec3& { return rest[place]; },
-      posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
+      posed, node, [=](std::uint32_t place, const float*) -> const Vec3& { return rest[place]; },
+      out);
 }
 
 /// Poses a pool from the displaced rest positions that `morph_pool` has written to `out`.
 void pose_morphed_node(const PosedTree& posed, const Node& node, float* out) {
   pose_pool(
-      posed.tree,
+      posed, node,
       [](std::uint32_t, const float* rest) {
         return Vec3{rest[0], rest[1], rest[2]};
       },
-      posed.palette.joints().data(), node.first_vertex, node.first_vertex + node.vertex_count, out);
+      out);
 }
 
 /// Adds offsets to a posed pool. Returns how many of them were clamped.
@@ -185,11 +201,10 @@ template <typename Visit>
 std::uint64_t each_posed(const Tree& tree, const Palette& palette,
                          std::span<const std::uint32_t> at, const Visit& visit) {
   const VertexArrays arrays(tree);
-  const Matrix4* matrices = palette.joints().data();
   const Vec3* offsets = palette.offsets().data();
   const auto each = [&](auto&& rest_at) {
     for (const std::uint32_t place : at) {
-      const Float4 p = arrays.pose(rest_at(place), place, arrays.influence_count(place), matrices);
+      const Float4 p = arrays.pose(rest_at(place), place, palette);
       visit(offsets
                 ? offset_vertex4(p, offsets[tree.place_vertices[place]], tree.offset_caps[place])
                 : p);

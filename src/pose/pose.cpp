@@ -70,6 +70,12 @@ Result<void> Pose::set_palette(std::span<const double> palette) {
   return pose_->set_palette(palette);
 }
 
+Result<void> Pose::set_dual_quaternions(std::span<const float> dual_quaternions) {
+  Result<void> taken = pose_->palette.set_dual_quaternions(dual_quaternions);
+  if (taken) pose_->close_all();
+  return taken;
+}
+
 Result<void> Pose::set_morph_weights(std::span<const float> weights) {
   Result<void> taken = pose_->palette.set_morph_weights(weights);
   if (taken) pose_->close_all();

@@ -21,12 +21,6 @@ static_assert(kMaxExtent == 4 * kMaxCoordinate);
 /// rounding of M.
 constexpr double kLeastLinear = 0x1p-100;
 
-/// M of the scanned joints, rounded up. Not finite if an element is not finite or nearly overflows.
-float extent_of(const PaletteScan& scan, double reach) {
-  const double sum = std::max(double{scan.linear}, kLeastLinear) * reach + double{scan.translation};
-  return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
-}
-
 bool has_affine_last_row(const float* m) {
   return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
 }
@@ -45,14 +39,24 @@ Problem describe(const float* m, std::size_t joint) {
   return problem("palette[%zu] can move a vertex beyond 2^60 units", joint);
 }
 
+void include(const PaletteScan& scan, PaletteScan& all) {
+  all.linear = std::max(all.linear, scan.linear);
+  all.translation = std::max(all.translation, scan.translation);
+}
+
 }  // namespace
 
-Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents)
+Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents,
+                 std::uint32_t dual_influences)
     : joints_(joint_count),
+      duals_(dual_influences > 0 ? joint_count : 0),
       morphs_(morph_extents),
+      dual_influences_(dual_influences),
       rest_extent_(std::max(rest_extent, kLeastRestExtent)),
       reach_(double{rest_extent_}),
-      extent_(extent_of(scan_, reach_)) {
+      extent_(extent_of(scan_, reach_)),
+      next_joints_(duals_.size()),
+      next_duals_(duals_.size()) {
   PELT_ASSERT(extent_ <= kMaxExtent);
 }
 
@@ -61,6 +65,12 @@ Result<void> Palette::set(std::span<const float> floats) {
     return invalid_argument(
         problem("the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
                 floats.size(), 16 * joints_.size(), joints_.size()));
+  if (is_dual())
+    return set_by([&](std::size_t joint) {
+      Matrix4 matrix;
+      std::memcpy(matrix.m.data(), &floats[16 * joint], sizeof matrix);
+      return matrix;
+    });
   const PaletteScan scan = scan_palette(floats.data(), joints_.size());
   if (!are_good(scan, reach_))
     if (Problem found = find_bad_joint(floats, reach_); !found.empty())
@@ -91,17 +101,63 @@ Result<void> Palette::set(std::span<const double> numbers) {
 /// palette unchanged, and the function must not allocate.
 template <typename MatrixOf>
 Result<void> Palette::set_by(const MatrixOf& matrix_of) {
+  if (is_dual())
+    return set_duals([&](std::size_t j, DualQuaternion& out) {
+      const Matrix4 matrix = matrix_of(j);
+      return scan_palette(matrix.m.data(), 1).is_affine ? to_dual_quaternion(matrix, j, out)
+                                                        : describe(matrix.m.data(), j);
+    });
   PaletteScan all;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const Matrix4 matrix = matrix_of(j);
     const PaletteScan scan = scan_palette(matrix.m.data(), 1);
     if (!are_good(scan, reach_)) return invalid_argument(describe(matrix.m.data(), j));
-    all.linear = std::max(all.linear, scan.linear);
-    all.translation = std::max(all.translation, scan.translation);
+    include(scan, all);
   }
   for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j] = matrix_of(j);
   keep(all);
   return {};
+}
+
+Result<void> Palette::set_dual_quaternions(std::span<const float> floats) {
+  if (!is_dual())
+    return invalid_argument(
+        problem("the model has linear blend skinning: build it with ModelOptions::skinning = "
+                "Skinning::dual_quaternion, or call set_palette"));
+  if (floats.size() != duals_.size() * 8)
+    return invalid_argument(
+        problem("there are %zu floats, expected %zu: 8 for each of the model's %zu joints",
+                floats.size(), 8 * duals_.size(), duals_.size()));
+  return set_duals([&](std::size_t joint, DualQuaternion& out) {
+    return to_dual_quaternion(&floats[8 * joint], joint, out);
+  });
+}
+
+/// Converts once, because this takes long, and swaps the results if all joints are valid.
+template <typename DualOf>
+Result<void> Palette::set_duals(const DualOf& dual_of) {
+  PaletteScan all;
+  for (std::size_t j = 0; j < duals_.size(); ++j) {
+    if (Problem found = dual_of(j, next_duals_[j]); !found.empty())
+      return invalid_argument(std::move(found));
+    const Matrix4& matrix = next_joints_[j] = to_matrix(next_duals_[j]);
+    const PaletteScan scan = scan_palette(matrix.m.data(), 1);
+    if (!are_good(scan, reach_)) return invalid_argument(describe(matrix.m.data(), j));
+    include(scan, all);
+  }
+  std::swap(duals_, next_duals_);
+  std::swap(joints_, next_joints_);
+  keep(all);
+  return {};
+}
+
+/// M of the scanned joints, rounded up. Not finite if an element is not finite or nearly overflows.
+float Palette::extent_of(const PaletteScan& scan, double reach) const {
+  const double least = is_dual() ? 1 : kLeastLinear;
+  const double growth = is_dual() ? 1.76 * dual_influences_ : 1;
+  const double sum =
+      std::max(double{scan.linear}, least) * reach + growth * double{scan.translation};
+  return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity());
 }
 
 void Palette::keep(const PaletteScan& scan) {

@@ -3,6 +3,8 @@
 #include <pelt/math.hpp>
 #include <pelt/result.hpp>
 
+#include "base/bytes_held.hpp"
+#include "skin/dual_quaternion.hpp"
 #include "skin/morph_weights.hpp"
 #include "skin/palette_scan.hpp"
 
@@ -33,8 +35,10 @@ inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
 class Palette {
  public:
   /// Identity matrices and zero weights, for a mesh with this `rest_extent` and with morph targets
-  /// of these extents. Precondition: rest_extent < kMaxExtent.
-  Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents = {});
+  /// of these extents. `dual_influences` is the largest number of influences of a vertex if the
+  /// mesh has dual quaternion skinning, otherwise zero. Precondition: rest_extent < kMaxExtent.
+  Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents = {},
+          std::uint32_t dual_influences = 0);
 
   /// Copies `floats`, 16 per joint, if they are valid; otherwise returns an error and changes
   /// nothing.
@@ -45,11 +49,21 @@ class Palette {
   Result<void> set(std::span<const Matrix3x4> matrices);
   Result<void> set(std::span<const double> numbers);
 
+  /// The same for dual quaternions, eight floats per joint. An error if the mesh has linear blend
+  /// skinning.
+  Result<void> set_dual_quaternions(std::span<const float> floats);
+
   /// Copies the weights of the morph targets, in the same way.
   Result<void> set_morph_weights(std::span<const float> weights);
 
   std::span<const Matrix4> joints() const { return joints_; }
   const Matrix4& operator[](std::uint32_t joint) const { return joints_[joint]; }
+
+  /// Whether the mesh has dual quaternion skinning. The dual quaternions then define the posed
+  /// vertices, and the matrices above are rounded from them.
+  bool is_dual() const { return !duals_.empty(); }
+  std::span<const DualQuaternion> duals() const { return duals_; }
+  std::uint32_t dual_influences() const { return dual_influences_; }
 
   const MorphWeights& morphs() const { return morphs_; }
 
@@ -62,28 +76,45 @@ class Palette {
   /// displacements of a vertex. No coordinate of a posed vertex without offset is larger than M,
   /// and float32 rounding of posed vertices and bounds is a small multiple of 2^-24 M. At most
   /// kMaxExtent, and large enough that underflow is negligible beside this rounding.
+  ///
+  /// With dual quaternion skinning, a blended rotation moves v no farther than the sum of |v_b|,
+  /// and a blended translation is at most K times as long as the longest of the joints (see
+  /// dual_skin.hpp). M is the first sum plus 1.76 K times the largest coordinate of a translation,
+  /// where 1.76 is slightly more than the root of three.
   float extent() const { return extent_; }
 
   /// Upper bound of the distance of any posed vertex without offset from the origin.
   float reach() const { return extent_ * 1.7320510f; }
 
-  std::size_t memory_bytes() const { return joints().size_bytes() + morphs_.memory_bytes(); }
+  std::size_t memory_bytes() const {
+    return bytes_held(joints_, duals_, next_joints_, next_duals_) + morphs_.memory_bytes();
+  }
 
  private:
   bool are_good(const PaletteScan& joints, double reach) const;
   Problem find_bad_joint(std::span<const float> floats, double reach) const;
+  float extent_of(const PaletteScan& joints, double reach) const;
   void keep(const PaletteScan& scan);
 
   template <typename MatrixOf>
   Result<void> set_by(const MatrixOf& matrix_of);
 
+  template <typename DualOf>
+  Result<void> set_duals(const DualOf& dual_of);
+
   std::vector<Matrix4> joints_;
-  PaletteScan scan_ = {.linear = 1};  // of the joints
+  std::vector<DualQuaternion> duals_;  // empty with linear blend skinning
+  PaletteScan scan_ = {.linear = 1};   // of the joints
   MorphWeights morphs_;
   std::span<const Vec3> offsets_;
+  std::uint32_t dual_influences_;
   float rest_extent_;
   double reach_;  // rest extent plus the extent of the weighted displacements
   float extent_;
+
+  // Working memory of set_duals; empty with linear blend skinning.
+  std::vector<Matrix4> next_joints_;
+  std::vector<DualQuaternion> next_duals_;
 };
 
 }  // namespace pelt::detail

@@ -56,7 +56,8 @@ Matrix4 turn_about(const Vec3d& middle, double x, double y, double z) {
 std::vector<Palette> invent_sample_poses(const SkinnedMesh& mesh) {
   constexpr double kLargestTangent = 0.24;  // of half an angle, per axis: 45 degrees in total
   const std::vector<Vec3d> middles = joint_middles(mesh);
-  std::vector<Palette> poses(kPoseCount, Palette(mesh.joint_count, mesh.rest_extent));
+  std::vector<Palette> poses(kPoseCount,
+                             Palette(mesh.joint_count, mesh.rest_extent, {}, mesh.dual_influences));
   std::vector<Matrix4> matrices(mesh.joint_count);
   Noise noise;
   for (Palette& pose : poses) {

@@ -19,10 +19,13 @@
 /// except that v''_a = v'_a if o_a is NaN or 0, or if c is 0. A posed vertex is therefore defined
 /// for every offset, and offsets of 0 leave its bits as they are.
 ///
+/// Models with dual quaternion skinning have another definition; see dual_skin.hpp.
+///
 /// A Float8 holds two columns of B, which is why x is paired with z and y with the translation. A
 /// vertex with a single influence has weight 1 exactly, so B = C_j, the special case of one joint.
 
 #include "base/float8.hpp"
+#include "skin/dual_skin.hpp"
 #include "skin/palette.hpp"
 #include "skin/skinned_mesh.hpp"
 
@@ -80,9 +83,11 @@ inline Vec3 morphed_vertex(const SkinnedMesh& mesh, const MorphWeights& morphs,
 inline Float4 posed_vertex4(const SkinnedMesh& mesh, const Palette& palette, std::uint32_t vertex) {
   const Influence* influences = &mesh.influences[mesh.influence_begin[vertex]];
   const std::uint32_t count = mesh.influence_begin[vertex + 1] - mesh.influence_begin[vertex];
-  const Float4 posed = posed_vertex4(
-      morphed_vertex(mesh, palette.morphs(), vertex), count,
-      [=](std::uint32_t i) { return influences[i]; }, palette.joints().data());
+  const auto at = [=](std::uint32_t i) { return influences[i]; };
+  const Vec3 rest = morphed_vertex(mesh, palette.morphs(), vertex);
+  const Float4 posed = palette.is_dual()
+                           ? dual_posed_vertex4(rest, count, at, palette.duals().data())
+                           : posed_vertex4(rest, count, at, palette.joints().data());
   if (palette.offsets().empty()) return posed;
   return offset_vertex4(posed, palette.offsets()[vertex], mesh.offset_caps[vertex]);
 }

@@ -118,6 +118,19 @@ Problem normalise_weights(std::span<Influence> influences, std::size_t vertex,
   return {};
 }
 
+/// Moves the influence with the largest weight to the front; of equal weights, the first.
+Problem put_pivot_first(std::span<Influence> influences, std::size_t vertex, SkinnedMesh& mesh) {
+  if (influences.size() > kMaxDualInfluences)
+    return problem("vertex %zu follows %zu joints, but dual quaternion skinning allows %u", vertex,
+                   influences.size(), kMaxDualInfluences);
+  const auto less = [](const Influence& a, const Influence& b) { return a.weight < b.weight; };
+  const auto pivot = std::max_element(influences.begin(), influences.end(), less);
+  std::rotate(influences.begin(), pivot, pivot + 1);
+  mesh.dual_influences =
+      std::max(mesh.dual_influences, static_cast<std::uint32_t>(influences.size()));
+  return {};
+}
+
 Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options, SkinnedMesh& mesh,
                         BuildReport& report) {
   mesh.influence_begin.reserve(view.rest_positions.size() + 1);
@@ -132,6 +145,11 @@ Problem take_influences(const SkinnedMeshView& view, const ModelOptions& options
     for (const Influence& influence : merged)
       if (influence.weight > 0) mesh.influences.push_back(influence);
     mesh.influence_begin.push_back(static_cast<std::uint32_t>(mesh.influences.size()));
+    if (options.skinning == Skinning::linear) continue;
+    const std::span<Influence> all(mesh.influences);
+    if (Problem found = put_pivot_first(all.subspan(mesh.influence_begin[v]), v, mesh);
+        !found.empty())
+      return found;
   }
   return {};
 }

@@ -28,8 +28,9 @@ inline constexpr std::uint32_t kMaxJoints = 65535;
 inline constexpr std::uint32_t kMaxMorphTargets = 65535;
 
 /// A validated skinned mesh in normal form. Influences of a vertex have positive weights that sum
-/// to 1 up to rounding, and joints in ascending order. There are no zero displacements. Vertices
-/// that were split at a seam are therefore posed to the same bits.
+/// to 1 up to rounding, and joints in ascending order. With dual quaternion skinning, the influence
+/// with the largest weight comes first, as dual_skin.hpp demands. There are no zero displacements.
+/// Vertices that were split at a seam are therefore posed to the same bits.
 struct SkinnedMesh {
   std::vector<Vec3> rest_positions;            // [V]
   std::vector<Triangle> triangles;             // [T]
@@ -38,6 +39,10 @@ struct SkinnedMesh {
   std::uint32_t joint_count = 0;
   float rest_extent = 0;  // sum over the axes of the largest coordinate
   bool may_weld = true;   // whether a tree may merge equal vertices
+
+  // The largest number of influences of a vertex with dual quaternion skinning; 0 with linear
+  // blend skinning.
+  std::uint32_t dual_influences = 0;
 
   // Displacements by vertex; the targets of each vertex ascend.
   std::vector<float> morph_extents;               // [M] like rest_extent, of the displacements

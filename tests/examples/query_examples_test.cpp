@@ -33,6 +33,7 @@ float free_part(pelt::Motion a, pelt::Motion b, std::uint64_t work);
 bool touch_before(pelt::Motion a, pelt::Motion b, float time);
 std::vector<pelt::RegionEntry> entered(pelt::Motion motion, const pelt::Sphere& trigger,
                                        pelt::Scratch& scratch);
+bool pose_rigid_joints(const pelt::SkinnedMeshView& mesh, std::span<const float> dual_quaternions);
 bool pose_face(pelt::Pose& pose, std::span<const pelt::Matrix4> palette,
                std::span<const float> weights);
 pelt::Result<pelt::SkinnedModel> cloth(std::span<const pelt::Vec3> rest,
@@ -230,6 +231,13 @@ TEST_F(QueryExamples, VerticesOfAnotherProgram) {
   Pose body(*build_model(view));
   EXPECT_TRUE(add_wrinkles(body, std::vector<Vec3>(caps.size(), {0, 0.05f, 0})));
   EXPECT_FALSE(add_wrinkles(body, std::vector<Vec3>(caps.size(), {0, 0.5f, 0})));
+}
+
+TEST_F(QueryExamples, Skinning) {
+  const Shape limb = make_limb(16, 12, 2);
+  EXPECT_TRUE(pose_rigid_joints(
+      limb.view(), std::vector<float>{0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}));
+  EXPECT_FALSE(pose_rigid_joints(limb.view(), std::vector<float>(16)));
 }
 
 TEST_F(QueryExamples, Motion) {

@@ -2,6 +2,7 @@
 /// crash and without excessive memory. The sanitizers detect errors; the memory is counted here. A
 /// separate program, because it replaces operator new.
 
+#include "support/dual_shapes.hpp"
 #include "support/largest_allocation.hpp"
 #include "support/prepared_file.hpp"
 #include "support/random.hpp"
@@ -84,6 +85,24 @@ TEST(PreparedMutation, EveryFlippedByteIsHarmlessWhereTheChecksumHasBeenMended) 
   print(tally);
   EXPECT_GT(tally.refused, static_cast<int>(file.size())) << "of three times that";
   EXPECT_GT(tally.used, static_cast<int>(file.size() / 4));
+}
+
+TEST(PreparedMutation, FlippedBytesOfDualBoundsAreHarmless) {
+  const SkinnedModel model = *build_model(make_limb(20, 8, 3).view(), kDual);
+  const Bytes file = save_model(model);
+  ASSERT_FALSE(model.detail().bounds.joint_pairs.empty());
+  const std::vector<std::size_t> places = array_places(model.detail());
+  Tally tally;
+  for (std::size_t at = places[places.size() - 3]; at < file.size(); ++at)
+    for (const int flip : {0x01, 0x80, 0xFF}) {
+      Bytes forged = file;
+      forged[at] ^= static_cast<std::byte>(flip);
+      mend(forged);
+      try_file(forged, tally);
+    }
+  print(tally);
+  EXPECT_GT(tally.refused, 100);
+  EXPECT_GT(tally.used, 100);
 }
 
 /// Extreme values of each field, at the positions of numbers.

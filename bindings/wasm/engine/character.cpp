@@ -40,6 +40,7 @@ Result<SkinnedModel> build(const asset::Asset& asset, const SkinnedMeshView& mes
       scenes::clip_samples(asset, preparation.clips, preparation.samples);
   ModelOptions options;
   if (preparation.renormalise) options.off_weights = OffWeights::renormalise;
+  if (preparation.is_dual) options.skinning = Skinning::dual_quaternion;
   options.sample_palettes = samples;
   Result<SkinnedModel> model = build_model(mesh, options);
   if (model || samples.empty()) return model;

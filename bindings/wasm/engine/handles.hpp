@@ -22,6 +22,7 @@ struct Preparation {
   std::vector<const asset::Clip*> clips;  ///< sources of sample poses
   std::uint32_t samples = 6;
   bool renormalise = false;
+  bool is_dual = false;  ///< dual quaternion skinning
 };
 
 /// A character, or one part of it, prepared for queries.

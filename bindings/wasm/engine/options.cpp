@@ -50,6 +50,7 @@ Preparation Options::preparation() const {
   Preparation preparation;
   preparation.samples = count("samples", preparation.samples);
   preparation.renormalise = flag("renormalise");
+  preparation.is_dual = text("skinning") == "dual-quaternion";
   return preparation;
 }
 

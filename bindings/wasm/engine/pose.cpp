@@ -44,6 +44,13 @@ PELT_EXPORT std::uint32_t pelt_set_palette(PoseHandle* handle) {
   return done(handle->pose.set_palette(handle->palette));
 }
 
+/// JavaScript writes eight floats per joint to the memory of the palette.
+PELT_EXPORT std::uint32_t pelt_set_dual_quaternions(PoseHandle* handle) {
+  handle->moved();
+  const std::size_t count = 8 * handle->palette.size();
+  return done(handle->pose.set_dual_quaternions({handle->palette[0].m.data(), count}));
+}
+
 PELT_EXPORT std::uint32_t pelt_set_morph_weights(PoseHandle* handle) {
   handle->moved();
   return done(handle->pose.set_morph_weights(handle->morphs));

@@ -30,6 +30,7 @@ export function readOptions(memory, options, rules) {
 export const kModelRules = {
   meshoptDecode: check.callable,
   renormalise: check.flag,
+  skinning: (value, name) => check.oneOf(value, ['linear', 'dual-quaternion'], name),
   noUnskinned: check.flag,
   exclude: check.texts,
   samples: check.count,

@@ -32,6 +32,14 @@ export class Pose {
     this.#memory.accepted(module._pelt_set_palette(this.#handle));
   }
 
+  setDualQuaternions(dualQuaternions) {
+    const { module } = this.#memory;
+    const floats = 8 * this.character.jointCount;
+    const address = module._pelt_pose_palette(this.#handle);
+    this.#memory.write(Float32Array, address, dualQuaternions, floats, 'dualQuaternions');
+    this.#memory.accepted(module._pelt_set_dual_quaternions(this.#handle));
+  }
+
   setMorphWeights(weights) {
     const { module } = this.#memory;
     const floats = this.character.morphTargetNames.length;

@@ -27,6 +27,11 @@ export interface ModelOptions {
   meshoptDecode?: MeshoptDecode;
   /** Accept weights that do not sum to 1, and divide them by their sum, as renderers do. */
   renormalise?: boolean;
+  /**
+   * How the joints of a vertex are blended, which files do not say. Default 'linear'. Dual quaternions
+   * move every vertex rigidly, so that twisted limbs do not collapse; joints must have no scale.
+   */
+  skinning?: 'linear' | 'dual-quaternion';
   /** Leave out meshes without a skin (weapons, armour). */
   noUnskinned?: boolean;
   /**

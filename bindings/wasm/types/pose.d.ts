@@ -13,6 +13,11 @@ export interface Pose {
 
   /** Copies [J] matrices of a joint palette. Each double is rounded once, to the nearest float. */
   setPalette(palette: Float32Array | Float64Array): void;
+  /**
+   * Copies [J][8] dual quaternions: the rotation x y z w, then the dual part. Only for characters with
+   * the option skinning: 'dual-quaternion', which also accept palettes of rigid matrices.
+   */
+  setDualQuaternions(dualQuaternions: Float32Array): void;
   /** Copies [M] morph weights. */
   setMorphWeights(weights: Float32Array): void;
 

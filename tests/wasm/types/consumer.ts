@@ -101,6 +101,7 @@ const decode: MeshoptDecode = (
 const modelOptions: ModelOptions = {
   meshoptDecode: decode,
   renormalise: true,
+  skinning: 'dual-quaternion',
   noUnskinned: false,
   exclude: ['cape'],
   samples: 2,

@@ -17,6 +17,7 @@ bool is_named_as_gltf(const std::filesystem::path& path) {
 ModelOptions options_of(const ModelArguments& arguments) {
   ModelOptions options;
   if (arguments.renormalise) options.off_weights = OffWeights::renormalise;
+  if (arguments.is_dual()) options.skinning = Skinning::dual_quaternion;
   return options;
 }
 
@@ -47,6 +48,10 @@ void add_model_options(Verb& verb, ModelArguments& arguments) {
               {.type = "NAME"});
   verb.flag("--renormalise", arguments.renormalise,
             "Accept weights that do not sum to 1, and divide them by their sum, as renderers do");
+  verb.choice(
+      "--skinning", arguments.skinning, "dual-quaternion|linear",
+      "How joints are blended, which files do not say: linear, or by dual quaternions, which "
+      "need joints without scale. Does not apply to prepared models");
   verb.option(
       "--samples", arguments.samples,
       "Number of sample poses, taken from clips, that a character is optimised for; 0 makes "
@@ -85,7 +90,8 @@ Result<detail::Palette> make_named_palette(const std::string& source, const Skin
   const auto checked = asset::within_memory(
       source, [&] { return detail::make_skinned_mesh(mesh, options_of(arguments), report); });
   if (checked)
-    return detail::Palette(checked->joint_count, checked->rest_extent, checked->morph_extents);
+    return detail::Palette(checked->joint_count, checked->rest_extent, checked->morph_extents,
+                           checked->dual_influences);
   if (checked.error().code == ErrorCode::unreadable_file) return checked.error();
   return named_error(source, checked.error());
 }

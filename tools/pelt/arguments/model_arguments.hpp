@@ -20,6 +20,9 @@ struct ModelArguments {
   std::vector<std::string> exclude;
   bool renormalise = false;
   std::uint32_t samples = 6;  ///< sample poses for optimising the bounds
+  std::string skinning = "linear";
+
+  bool is_dual() const { return skinning == "dual-quaternion"; }
 
   asset::GltfOptions gltf_options() const;
 };

@@ -93,7 +93,7 @@ Result<void> compare_questions(const json& theirs, const json& ours) {
 /// Notes differences that do not prevent a comparison.
 void note_differences(const json& theirs, const json& ours, std::vector<std::string>& notes) {
   for (const char* key : {"clips", "frames", "between", "self", "fps", "ignore", "exclude",
-                          "no_unskinned", "renormalise"}) {
+                          "no_unskinned", "renormalise", "skinning"}) {
     const json then = value_of(theirs, key);
     if (then.is_null() || then == ours[key]) continue;
     notes.push_back(std::string(key) + " was " + then.dump() + " in the baseline and is " +

@@ -38,7 +38,8 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
       {"ignore", nlohmann::ordered_json::array()},
       {"exclude", question.exclude},
       {"no_unskinned", question.no_unskinned},
-      {"renormalise", question.renormalise}};
+      {"renormalise", question.renormalise},
+      {"skinning", question.skinning}};
   for (const scenes::NamePair& pair : question.ignore) json["ignore"].push_back({pair.a, pair.b});
   if (!question.clips.empty()) json["clips"] = question.clips;
   if (question.clearance) json["clearance"] = *question.clearance;

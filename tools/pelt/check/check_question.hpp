@@ -29,6 +29,7 @@ struct CheckQuestion {
   std::vector<scenes::NamePair> ignore;
   std::vector<std::string> exclude;
   bool no_unskinned = false, renormalise = false;
+  std::string skinning = "linear";
 };
 
 /// "options" of the header of `pelt check --jsonl`.

@@ -22,6 +22,7 @@ CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& sc
   question.exclude = models.exclude;
   question.no_unskinned = models.no_unskinned;
   question.renormalise = models.renormalise;
+  question.skinning = models.skinning;
   return question;
 }
 

@@ -20,8 +20,8 @@
 namespace pelt::methods {
 
 /// Traits have the types Body and Prepared (computed once for each model); the constant kMorphs
-/// (whether morph weights are known); and prepare(mesh), make_body(mesh, prepared) and update(body,
-/// palette).
+/// (whether morph weights and dual quaternions are known); and prepare(mesh), make_body(mesh,
+/// prepared) and update(body, palette).
 template <typename Traits>
 class BodySet {
  public:
@@ -31,7 +31,8 @@ class BodySet {
     auto& prepared = prepared_[&model.detail()];
     if (!prepared) prepared = std::make_unique<PreparedModel>(model);
     const detail::SkinnedMesh& mesh = prepared->mesh;
-    palettes_.emplace_back(mesh.joint_count, mesh.rest_extent, mesh.morph_extents);
+    palettes_.emplace_back(mesh.joint_count, mesh.rest_extent, mesh.morph_extents,
+                           mesh.dual_influences);
     bodies_.push_back(Traits::make_body(mesh, prepared->prepared));
     update_work_ += Traits::update(*bodies_.back(), palettes_.back());
   }
@@ -45,6 +46,9 @@ class BodySet {
   }
 
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) {
+    if (palettes_[body].is_dual() && !Traits::kMorphs)
+      return Error{ErrorCode::unsupported,
+                   "this method has no bounds for dual quaternion skinning: choose another method"};
     Result<void> taken = palettes_[body].set(palette);
     if (taken) update_work_ += Traits::update(*bodies_[body], palettes_[body]);
     return taken;

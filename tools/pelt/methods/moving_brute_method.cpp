@@ -49,7 +49,7 @@ class MovingVertices {
  public:
   explicit MovingVertices(const detail::SkinnedMesh& mesh)
       : mesh_(mesh),
-        palette_(mesh.joint_count, mesh.rest_extent, mesh.morph_extents),
+        palette_(mesh.joint_count, mesh.rest_extent, mesh.morph_extents, mesh.dual_influences),
         from_(mesh.vertex_count()),
         to_(mesh.vertex_count()) {
     skin();
