@@ -42,13 +42,25 @@ std::vector<Vec3> vertices_of(Pose& pose, const JointPalette& palette) {
   return vertices;
 }
 
-std::vector<GivenFrame> given_frames(const QueryStage& stage, const SkinnedModel& model) {
+/// From a point through the middle of a triangle, and about as far again.
+Ray through(const Vec3& from, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto beyond = [](float start, float p, float q, float r) {
+    return 2 * (p + q + r) / 3 - start;
+  };
+  return segment(from, {beyond(from.x, a.x, b.x, c.x), beyond(from.y, a.y, b.y, c.y),
+                        beyond(from.z, a.z, b.z, c.z)});
+}
+
+std::vector<GivenFrame> given_frames(const QueryStage& stage, const SkinnedModel& model,
+                                     std::span<const Triangle> triangles) {
   Pose pose(model);
   std::vector<GivenFrame> frames;
   for (const QueryFrame& frame : stage.frames()) {
     GivenFrame given = {vertices_of(pose, frame.a), vertices_of(pose, frame.touching), {}};
-    for (std::size_t i = 0; i < frame.points.size(); ++i)
-      given.rays.push_back(segment(frame.points[i], given.a[i * 7919 % given.a.size()]));
+    for (std::size_t i = 0; i < frame.points.size(); ++i) {
+      const auto [a, b, c] = triangles[i * 7919 % triangles.size()];
+      given.rays.push_back(through(frame.points[i], given.a[a], given.a[b], given.a[c]));
+    }
     frames.push_back(std::move(given));
   }
   return frames;
@@ -178,8 +190,8 @@ Result<void> measure_model(const std::string& path, const Arguments& arguments) 
       build_model(character->asset.mesh(), {.off_weights = OffWeights::renormalise});
   if (!model) return model.error();
   const QueryStage stage(character->asset, *model, arguments.frames, arguments.rays);
-  const std::vector<GivenFrame> frames = given_frames(stage, *model);
   const std::vector<Triangle>& triangles = character->asset.triangles;
+  const std::vector<GivenFrame> frames = given_frames(stage, *model, triangles);
   std::printf("%s: %zu triangles\n", path.empty() ? "the generated character" : path.c_str(),
               triangles.size());
 

@@ -8,8 +8,8 @@
 /// matrix per joint. `[V][K]` is the shape of an array: V rows with K elements each. The triangles
 /// of a model are stored in a tree of nodes. To open a node means to compute, for the current
 /// palette and morph weights, its posed vertices and the boxes of its children. Queries open nodes
-/// on demand. A node of a pose stays open for later queries until the joint palette or the morph
-/// weights change.
+/// on demand. A node of a pose stays open for later queries until the joint palette, the morph
+/// weights, the offsets or the given vertices change.
 ///
 /// Queries are declared in these headers:
 ///

@@ -166,7 +166,7 @@ ErrorCode refusal_code(const Bytes& file) { return load_model(file).error().code
 
 /// Even if the header size, the checksum and the arrays differ.
 TEST(Prepared, DistinguishesOtherVersionsFromDamage) {
-  for (const std::uint32_t version : {1u, 2u, 4u, 0x7FFFFFFFu}) {
+  for (const std::uint32_t version : {1u, 2u, 3u, 5u, 0x7FFFFFFFu}) {
     Bytes file = save_model(limb());
     std::memcpy(&file[8], &version, sizeof version);
     EXPECT_EQ(refusal_code(file), ErrorCode::unsupported);
