@@ -27,6 +27,7 @@ HIDDEN = {
     "povray": ["-DPELT_PROGRAM_povray="],
     "nodejs": ["-DPELT_PROGRAM_node="],
     "npm": ["-DPELT_PROGRAM_npm="],
+    "pybind11-dev": ["-DCMAKE_DISABLE_FIND_PACKAGE_pybind11=ON"],
 }
 EVALUATION_AND_TESTS = ["libcgal-dev", "libgtest-dev", "gnuplot-nox", "npm"]
 LIBRARY, READER, COMMAND = "pelt", "pelt_asset", "pelt_command"
@@ -103,6 +104,12 @@ class Configure(unittest.TestCase):
         self.assertIn(READER, configured.targets)
         self.assertFalse({COMMAND, TEST} & configured.targets)
         self.assert_left_out(configured, "libcli11-dev")
+
+    def test_without_pybind11_there_is_no_python_package(self):
+        configured = self.configure(["pybind11-dev"])
+        self.assertLessEqual({COMMAND, TEST}, configured.targets)
+        self.assertNotIn("pelt_python", configured.targets)
+        self.assert_left_out(configured, "pybind11-dev")
 
     def test_without_googletest_there_are_no_tests(self):
         configured = self.configure(["libgtest-dev"])

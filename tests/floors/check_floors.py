@@ -19,7 +19,7 @@ LIBRARY = ["include/pelt", "src/base", "src/geometry", "src/skin", "src/model", 
            "src/query", "src/collide", "src/self", "src/motion", "src/search", "src/bounds", "src/ray",
            "src/distance", "src/farthest", "src/field", "src/solid", "src/contact", "src/inside", "src/volume",
            "src/crowd"]
-FLOORS = [*LIBRARY, "asset", "scenes", "bindings",
+FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings",
           *("tools/pelt/" + f for f in ("output", "arguments", "methods", "scene", "query", "bench",
                                         "picture", "prepared", "page", "check", "shard", "verbs")),
           "tools/pelt"]
@@ -45,6 +45,7 @@ MAY_INCLUDE_PAPER = "tools/pelt/methods/paper_method.hpp"
 MAY_INCLUDE_ONLY = {
     "include/pelt": ["include/pelt"],
     "asset": ["include/pelt", "src/base", "asset"],
+    "bindings/python": ["include/pelt", "bindings/python"],
     "docs/examples": ["include/pelt"],
 }
 # src/base includes headers of instruction sets and systems.

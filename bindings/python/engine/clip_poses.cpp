@@ -1,0 +1,127 @@
+#include "bindings/python/engine/clip_poses.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pelt::python {
+
+namespace {
+
+/// Returns the number of frames of an array with frames as the first axis.
+std::size_t count_frames(const py::array& array, const std::string& name) {
+  if (array.shape(0) == 0) throw ArgumentError(name + ": there are no frames");
+  return static_cast<std::size_t>(array.shape(0));
+}
+
+std::string list_of(std::size_t first, const char* others) {
+  return "[F, " + std::to_string(first) + others;
+}
+
+}  // namespace
+
+ClipPoses ClipPoses::of_palettes(const PythonModel& model, std::string name,
+                                 const py::array& palettes,
+                                 const std::optional<py::array>& morph_weights) {
+  const std::size_t joints = model.model().joint_count();
+  const bool has_rows = palettes.ndim() == 4 && (palettes.shape(2) == 3 || palettes.shape(2) == 4);
+  check_shape(palettes, name, {-1, static_cast<py::ssize_t>(joints), has_rows ? -1 : 4, 4},
+              list_of(joints, ", 4, 4] or ") + list_of(joints, ", 3, 4]"));
+  const std::size_t frame_count = count_frames(palettes, name);
+  ClipPoses poses(model, std::move(name), frame_count);
+  poses.palettes_.emplace(palettes, poses.name_);
+  if (!morph_weights) return poses;
+  const auto frames = static_cast<py::ssize_t>(poses.frame_count_);
+  const auto targets = static_cast<py::ssize_t>(model.model().morph_target_count());
+  check_shape(*morph_weights, poses.name_ + ", morph_weights", {frames, targets},
+              "[" + std::to_string(frames) + ", " + std::to_string(targets) + "]");
+  poses.morph_weights_.emplace(*morph_weights, poses.name_ + ", morph_weights");
+  return poses;
+}
+
+ClipPoses ClipPoses::of_vertices(const PythonModel& model, std::string name,
+                                 const py::array& vertices) {
+  const std::size_t count = model.model().vertex_count();
+  check_shape(vertices, name, {-1, static_cast<py::ssize_t>(count), 3}, list_of(count, ", 3]"));
+  const std::size_t frame_count = count_frames(vertices, name);
+  ClipPoses poses(model, std::move(name), frame_count);
+  poses.vertices_.emplace(vertices, poses.name_);
+  return poses;
+}
+
+std::string ClipPoses::place(std::size_t frame) const {
+  return frame_count_ == 1 ? name_ : name_ + ", frame " + std::to_string(frame);
+}
+
+void ClipPoses::set(Pose& pose, std::size_t frame, Memory& memory) const {
+  if (vertices_)
+    set_vertices(pose, frame, memory);
+  else
+    set_palette(pose, frame, memory);
+}
+
+void ClipPoses::set_palette(Pose& pose, std::size_t frame, Memory& memory) const {
+  read_palette(frame, memory);
+  if (!pose.set_palette(memory.palette)) {
+    // The palette may be invalid only together with the morph weights of an earlier frame.
+    pose = Pose(model());
+    check(pose.set_palette(memory.palette), place(frame));
+  }
+  if (morph_weights_) set_morph_weights(pose, frame, memory);
+}
+
+void ClipPoses::read_palette(std::size_t frame, Memory& memory) const {
+  static_assert(sizeof(Matrix3x4) == 12 * sizeof(float));
+  memory.palette.resize(model().joint_count());
+  if (palettes_->size(2) == 3) return palettes_->copy(frame, memory.palette.data()->m.data());
+  memory.matrices.resize(16 * memory.palette.size());
+  palettes_->copy(frame, memory.matrices.data());
+  for (std::size_t joint = 0; joint < memory.palette.size(); ++joint) {
+    const float* const matrix = memory.matrices.data() + 16 * joint;
+    std::copy_n(matrix, 12, memory.palette[joint].m.begin());
+    check_last_row(matrix + 12, frame, joint);
+  }
+}
+
+void ClipPoses::check_last_row(const float* row, std::size_t frame, std::size_t joint) const {
+  if (row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == 1) return;
+  throw ArgumentError(place(frame) + ": the last row of the matrix of joint " +
+                      std::to_string(joint) +
+                      " is not 0 0 0 1 (if the matrices are column-major, swap the last two axes)");
+}
+
+void ClipPoses::set_morph_weights(Pose& pose, std::size_t frame, Memory& memory) const {
+  memory.morph_weights.resize(model().morph_target_count());
+  morph_weights_->copy(frame, memory.morph_weights.data());
+  check(pose.set_morph_weights(memory.morph_weights), place(frame));
+}
+
+void ClipPoses::set_vertices(Pose& pose, std::size_t frame, Memory& memory) const {
+  static_assert(sizeof(Vec3) == 3 * sizeof(float));
+  memory.vertices.resize(model().vertex_count());
+  vertices_->copy(frame, &memory.vertices.data()->x);
+  check(pose.set_vertices(memory.vertices), place(frame));
+}
+
+Pose& FramePose::at(std::size_t frame) {
+  if (poses_->frame_count() == 1) frame = 0;
+  if (frame_ == frame) return pose_;
+  frame_.reset();
+  poses_->set(pose_, frame, memory_);
+  frame_ = frame;
+  return pose_;
+}
+
+std::size_t common_frame_count(const ClipPoses& a, const ClipPoses& b) {
+  const std::size_t of_a = a.frame_count(), of_b = b.frame_count();
+  if (of_a == of_b || of_b == 1) return of_a;
+  if (of_a == 1) return of_b;
+  throw ArgumentError(a.name() + " has " + std::to_string(of_a) + " frames, but " + b.name() +
+                      " has " + std::to_string(of_b) + " (expected equal numbers, or one frame)");
+}
+
+std::size_t step_count(std::size_t frames) {
+  if (frames > 1) return frames - 1;
+  throw ArgumentError("a motion needs at least two frames, found one");
+}
+
+}  // namespace pelt::python

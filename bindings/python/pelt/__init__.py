@@ -1,0 +1,85 @@
+"""Exact collision detection for skinned characters, over whole clips.
+
+A model is a mesh with joints and weights. It is built once:
+
+    import pelt
+    model = pelt.Model(rest, faces, weights)      # [V, 3], [T, 3], [V, J]
+    knight = pelt.load("knight.glb")              # or from a glTF file: knight.model
+
+A clip is an array of palettes, one matrix per frame and joint, row-major as NumPy has them:
+
+    palettes = knight.palettes("Walk", fps=30)    # [F, J, 4, 4]
+
+A query answers for all frames in one call, on all processors:
+
+    contacts = pelt.collide(model_a, palettes_a, model_b, palettes_b)
+    contacts.frame, contacts.triangle_a, contacts.triangle_b     # [N] each, sorted
+    contacts.per_frame()                                         # [F] number of contacts
+
+Palettes are [F, J, 4, 4] or [F, J, 3, 4], or [J, 4, 4] for a single frame, in float32 or float64, in
+any memory layout. Arrays of other libraries are read without a copy if they have `__dlpack__` and
+are in the memory of the CPU. A matrix transforms rest positions into the frame that all poses of a
+call share: world matrix of the character x transform of the joint x inverse bind matrix. In place
+of palettes, each function also takes `Poses`, which adds weights of morph targets, and `Vertices`,
+which gives the positions of all vertices. A clip of one frame is combined with all frames of the
+other clip.
+
+Answers are exact with respect to the float32 posed vertices (`posed_vertices`), and do not depend on
+the machine or the number of threads. Lengths are in model units. Triangles and joints are numbered
+from 0, as in the arrays of the model.
+
+Which triangles touch?
+    collide              triangles of two models that intersect
+    self_collide         triangles of one model that intersect each other (see `SelfFilter`)
+    intersects           only whether anything intersects, in each frame
+    clearance            triangles of two models that are close to each other
+    contact_geometry     positions, normals, depths, curves and patches of contacts
+    self_contact_geometry
+Between frames:
+    collide_moving       triangles that intersect at any time between two frames, and when first
+    self_collide_moving
+    first_contact        the first contact of each step
+Distances, rays, bounds:
+    distance             least distance of two models
+    closest_points       points of the surface that are closest to given points
+    cast_rays            first hits of rays
+    bounds               boxes and spheres
+Inside and outside of closed surfaces:
+    side_of              whether points are inside
+    vertices_inside      which vertices of one model are inside another
+    deepest_vertex       the vertex that is deepest inside another model
+    posed_vertices       positions of all vertices
+
+Every function takes `threads` (default: all processors; the answer is the same for any number) and
+`progress`: True draws a progress bar, None (the default) draws one if the call takes more than two
+seconds and a person watches; a function is called with the number of finished frames. Ctrl-C ends
+a call. The interpreter lock is released during a call.
+
+Invalid arguments raise `pelt.Error`, a ValueError that names the argument and the frame.
+"""
+
+from pelt._arrays import Array
+from pelt._bounds import Bounds, bounds
+from pelt._character import Character, Clip, Part, load
+from pelt._collide import clearance, collide, intersects
+from pelt._contact_geometry import ContactGeometry, contact_geometry, self_contact_geometry
+from pelt._contacts import Contacts, SelfContacts
+from pelt._distance import ClosestPoints, Distances, SurfacePoints, closest_points, distance
+from pelt._inside import Penetrations, deepest_vertex, side_of, vertices_inside
+from pelt._model import Model
+from pelt._motion import (MovingContacts, SelfMovingContacts, collide_moving, first_contact,
+                          self_collide_moving)
+from pelt._pelt import Error, __version__
+from pelt._poses import Poses, PosesLike, Vertices, posed_vertices
+from pelt._rays import RayHits, cast_rays
+from pelt._self_collide import SelfFilter, self_collide
+
+__all__ = [
+    "Array", "Bounds", "Character", "Clip", "ClosestPoints", "ContactGeometry", "Contacts",
+    "Distances", "Error", "Model", "MovingContacts", "Part", "Penetrations", "Poses", "PosesLike",
+    "RayHits", "SelfContacts", "SelfFilter", "SelfMovingContacts", "SurfacePoints", "Vertices",
+    "__version__", "bounds", "cast_rays", "clearance", "closest_points", "collide",
+    "collide_moving", "contact_geometry", "deepest_vertex", "distance", "first_contact",
+    "intersects", "load", "posed_vertices", "self_collide", "self_collide_moving",
+    "self_contact_geometry", "side_of", "vertices_inside",
+]

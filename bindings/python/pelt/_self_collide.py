@@ -1,0 +1,83 @@
+"""Contacts of a model with itself."""
+
+from typing import Optional
+
+from pelt import _pelt
+from pelt._arrays import Array, Integers, integers
+from pelt._contacts import SelfContacts, limit
+from pelt._model import Model
+from pelt._poses import PosesLike, clip_poses
+from pelt._run import Progress, run
+
+
+class SelfFilter:
+    """Pairs of triangles that `self_collide` leaves out. Make one for each model.
+
+    rings:          0 to 64. 1: pairs that share a vertex; k: also pairs that a chain of k - 1 other
+                    triangles connects. Skin creases at joints: 5 is what `pelt check` uses.
+    takes_part:     [T] flags; pairs with a triangle whose flag is 0 are left out.
+    at_rest:        [N, 2] pairs of triangles that touch at rest, for example
+                    `next(iter(pelt.self_collide(model, rest_palette)))`.
+    always:         [N, 2] pairs of triangles that touch in nearly all poses.
+    joint_parents:  [J] parent of each joint, -1 for none: leaves out pairs of triangles that follow
+                    one joint, or a joint and its parent.
+    joint_pairs:    [N, 2] joints: leaves out pairs of triangles that follow two such joints.
+    joint_bodies:   [J] numbers; joints with equal numbers count as one joint.
+    joint_pairs_in_zones:  [N, 2] joints, as `joint_pairs`, but only where one of the `zones` contains
+                    both triangles.
+    zones:          [N, 2] a triangle, and the number of a zone that contains it.
+    groups:         [T] group of each triangle.
+    group_pairs:    [N, 2] groups: leaves out pairs of triangles of two such groups.
+
+    A triangle follows the joint with the largest sum of weights over its vertices. Filters are
+    applied in the order takes_part, rings, at_rest, always, joints, groups; `SelfContacts.left_out`
+    counts a pair for the first one that leaves it out.
+    """
+
+    def __init__(self, model: Model, *, rings: int = 0, takes_part: Optional[Array] = None,
+                 at_rest: Optional[Array] = None, always: Optional[Array] = None,
+                 joint_parents: Optional[Array] = None, joint_pairs: Optional[Array] = None,
+                 joint_bodies: Optional[Array] = None,
+                 joint_pairs_in_zones: Optional[Array] = None, zones: Optional[Array] = None,
+                 groups: Optional[Array] = None, group_pairs: Optional[Array] = None) -> None:
+        def optional(name: str, value: Optional[Array]) -> Optional[Integers]:
+            return None if value is None else integers(name, value)
+
+        self._filter = _pelt.SelfFilter(
+            model._model, limit("rings", rings), optional("takes_part", takes_part),
+            optional("at_rest", at_rest), optional("always", always),
+            optional("joint_bodies", joint_bodies), optional("joint_parents", joint_parents),
+            optional("joint_pairs", joint_pairs),
+            optional("joint_pairs_in_zones", joint_pairs_in_zones), optional("zones", zones),
+            optional("groups", groups), optional("group_pairs", group_pairs))
+
+
+def filter_of(model: Model, ignore: Optional[SelfFilter]) -> _pelt.SelfFilter:
+    """Returns the filter of an argument; None leaves nothing out."""
+    if ignore is None:
+        return SelfFilter(model)._filter
+    if not isinstance(ignore, SelfFilter):
+        raise TypeError(f"ignore: expected a pelt.SelfFilter, found {type(ignore).__name__}")
+    return ignore._filter
+
+
+def self_collide(model: Model, poses: PosesLike, ignore: Optional[SelfFilter] = None, *,
+                 max_contacts: Optional[int] = None, threads: Optional[int] = None,
+                 progress: Progress = None) -> SelfContacts:
+    """Returns every pair of triangles of one model that intersect each other, in each frame.
+
+    poses:         palettes [F, J, 4, 4] or [F, J, 3, 4], `Poses` or `Vertices`.
+    ignore:        which pairs to leave out; default: none. Make the filter once and use it for all
+                   clips.
+    max_contacts:  stop the query of a frame after this number of pairs.
+
+    Corners and edges that two triangles share do not count as intersection. The answer is exact with
+    respect to the float32 posed vertices. The cost is O(V + T) for each frame.
+
+    Raises `pelt.Error` for invalid arguments.
+    """
+    clip = clip_poses("poses", model, poses)
+    with run("self_collide", clip.frame_count, threads, progress) as how:
+        columns, left_out = _pelt.self_collide(clip, filter_of(model, ignore),
+                                               limit("max_contacts", max_contacts), how)
+        return SelfContacts(*columns, left_out)

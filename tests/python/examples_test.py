@@ -1,0 +1,47 @@
+"""The examples run, and draw their picture."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from support import DEMO, SOURCE, Case
+
+EXAMPLES = SOURCE / "bindings" / "python" / "examples"
+
+
+class Examples(Case):
+    def run_example(self, name, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            result = subprocess.run([sys.executable, EXAMPLES / name, *map(str, arguments)], text=True,
+                                    capture_output=True, cwd=folder,
+                                    env={**os.environ, "MPLBACKEND": "agg", "MPLCONFIGDIR": folder})
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.written = {file.name: file.read_bytes() for file in pathlib.Path(folder).glob("*.png")}
+        return result.stdout
+
+    def test_two_characters(self):
+        self.assertRegex(self.run_example("two_characters.py", DEMO / "azure.glb", DEMO / "sand.glb"),
+                         r"<pelt.Contacts: [1-9]\d* pairs")
+
+    def test_arrays(self):
+        self.assertRegex(self.run_example("arrays.py"), r"frame 0: 0 .*\n(.*\n)*.*frame \d+: [1-9]")
+
+    def test_picture(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("no matplotlib (package python3-matplotlib)")
+        self.run_example("picture.py", DEMO / "azure.glb")
+        self.assertTrue(self.written["self_contacts.png"].startswith(b"\x89PNG"))
+
+    def test_they_are_short(self):
+        for file in EXAMPLES.glob("*.py"):
+            code = [line for line in file.read_text().split('"""')[2].splitlines() if line.strip()]
+            self.assertLessEqual(len(code), 14, file.name)
+
+
+if __name__ == "__main__":
+    unittest.main()

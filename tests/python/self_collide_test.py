@@ -1,0 +1,94 @@
+"""pelt.self_collide and pelt.SelfFilter."""
+
+import unittest
+
+import numpy as np
+
+import pelt
+from support import DEMO, Case, box, creature, moved, printed_hash, shared
+
+
+class Hashes(Case):
+    def same_as_command(self, file, clip, rings):
+        character = pelt.load(file)
+        contacts = pelt.self_collide(character.model, character.poses(clip),
+                                     pelt.SelfFilter(character.model, rings=rings))
+        self.assertEqual(contacts.hash,
+                         printed_hash(file, "--clip", clip, "--self-rings", rings,
+                                      "--self-at-rest", "keep", "--self-near-joints", "keep"))
+        return contacts
+
+    def test_demo(self):
+        for rings in (0, 1, 5):
+            self.same_as_command(DEMO / "azure.glb", "walk", rings)
+
+    def test_knight(self):
+        found = self.same_as_command(shared("models/knight.glb"), "Walking_A", 5)
+        self.assertGreater(len(found), 1000)
+        self.assertGreater(found.left_out["rings"], 0)
+
+
+class Filters(Case):
+    @classmethod
+    def setUpClass(cls):
+        """Two cubes of one model, each with its own joint; the second one moves."""
+        rest, faces = box()
+        cls.model = pelt.Model(np.concatenate([rest, rest]), np.concatenate([faces, faces + 8]),
+                               np.repeat(np.eye(2), 8, axis=0))
+        cls.poses = np.tile(np.eye(4), (3, 2, 1, 1))
+        cls.poses[:, 1, :3, 3] = [[0.5, 0.25, 0.125], [1.5, 0.25, 0.125], [5, 0, 0]]
+        cls.all = pelt.self_collide(cls.model, cls.poses)
+
+    def left_out_by(self, name, **options):
+        found = pelt.self_collide(self.model, self.poses, pelt.SelfFilter(self.model, **options))
+        self.assertEqual(len(found) + found.left_out[name], len(self.all))
+        self.assertEqual(sum(found.left_out.values()), found.left_out[name])
+        return found
+
+    def test_none(self):
+        self.assertEqual((self.all.per_frame() > 0).tolist(), [True, True, False])
+        self.assertTrue((self.all.triangle_a < self.all.triangle_b).all())
+        self.assertEqual(sum(self.all.left_out.values()), 0)
+
+    def test_at_rest_and_always(self):
+        first = self.all.in_frame(0)
+        for name in ("at_rest", "always"):
+            self.assertEqual(self.left_out_by(name, **{name: first}).per_frame()[0], 0)
+
+    def test_takes_part(self):
+        flags = np.arange(24) < 12
+        self.assertEqual(len(self.left_out_by("takes_part", takes_part=flags)), 0)
+
+    def test_joints(self):
+        self.assertEqual(len(self.left_out_by("joints", joint_parents=[-1, 0])), 0)
+        self.assertEqual(len(self.left_out_by("joints", joint_pairs=[[1, 0]])), 0)
+        self.assertEqual(len(self.left_out_by("joints", joint_parents=[-1, -1])), len(self.all))
+        zones = [[triangle, 7] for triangle in range(24)]
+        self.assertEqual(len(self.left_out_by("joints", joint_pairs_in_zones=[[0, 1]],
+                                              zones=zones)), 0)
+
+    def test_groups(self):
+        groups = np.arange(24) // 12
+        self.assertEqual(len(self.left_out_by("groups", groups=groups, group_pairs=[[0, 1]])), 0)
+
+    def test_rings(self):
+        character = creature()
+        bent = character.palettes("walk", frames=3)
+        found = pelt.self_collide(character.model, bent)
+        near = pelt.self_collide(character.model, bent, pelt.SelfFilter(character.model, rings=9))
+        self.assertEqual(len(near) + near.left_out["rings"], len(found))
+
+    def test_refusals(self):
+        self.refuses("rings", pelt.SelfFilter, self.model, rings=65)
+        self.refuses("at_rest: element 1 is the index 24", pelt.SelfFilter, self.model,
+                     at_rest=[[0, 24]])
+        self.refuses("joint_parents", pelt.SelfFilter, self.model, joint_parents=[-2, 0])
+        self.refuses("groups", pelt.SelfFilter, self.model, group_pairs=[[0, 1]])
+        self.refuses("another model", pelt.self_collide, pelt.Model(*box()), moved([0, 0, 0]),
+                     pelt.SelfFilter(self.model))
+        with self.assertRaisesRegex(TypeError, "expected a pelt.SelfFilter"):
+            pelt.self_collide(self.model, self.poses, {"rings": 1})
+
+
+if __name__ == "__main__":
+    unittest.main()
