@@ -11,11 +11,13 @@ void add_poses(pybind11::module_& module);
 void add_character(pybind11::module_& module);
 void add_collide(pybind11::module_& module);
 void add_self_collide(pybind11::module_& module);
+void add_self_distance(pybind11::module_& module);
 void add_motion(pybind11::module_& module);
 void add_distance(pybind11::module_& module);
 void add_rays(pybind11::module_& module);
 void add_bounds(pybind11::module_& module);
 void add_inside(pybind11::module_& module);
 void add_contact_geometry(pybind11::module_& module);
+void add_volume(pybind11::module_& module);
 
 }  // namespace pelt::python

@@ -12,10 +12,12 @@ PYBIND11_MODULE(_pelt, module) {
   pelt::python::add_character(module);
   pelt::python::add_collide(module);
   pelt::python::add_self_collide(module);
+  pelt::python::add_self_distance(module);
   pelt::python::add_motion(module);
   pelt::python::add_distance(module);
   pelt::python::add_rays(module);
   pelt::python::add_bounds(module);
   pelt::python::add_inside(module);
   pelt::python::add_contact_geometry(module);
+  pelt::python::add_volume(module);
 }

@@ -1,0 +1,140 @@
+"""Closed parts of a body."""
+
+from typing import List, NamedTuple, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+import pelt
+from pelt._arrays import Array, integers
+from pelt._model import Model
+from pelt._pelt import Error
+from pelt._poses import PosesLike, Vertices
+
+Integers = npt.NDArray[np.int64]
+Floats = npt.NDArray[np.float32]
+
+
+class _Part(NamedTuple):
+    """A part, whose holes are closed by fans around the mean of each boundary."""
+
+    model: Model
+    vertices: Integers
+    """vertices of the body, in the order of the model"""
+
+    loops: List[Integers]
+    """vertices of the body around each hole"""
+
+    own: npt.NDArray[np.bool_]
+    """[V] whether a vertex of the body is of the part, or on a triangle with one that is"""
+
+
+class BodyParts:
+    """A body cut into parts, each of which is closed.
+
+    rest:   [V, 3] rest positions.
+    faces:  [T, 3] indices of vertices.
+    parts:  [V] number of the part of each vertex; for example `weights.argmax(axis=1)`.
+
+    A part has the triangles whose three corners are of the part, and a fan around the mean of each
+    boundary. Each part must be a surface without branches, whose boundaries do not touch each other.
+
+    Source: TUCH, selfcontact: `BodySegment`, which closes segments by hand-picked bands instead.
+    """
+
+    def __init__(self, rest: Array, faces: Array, parts: Array) -> None:
+        self._parts = integers("parts", parts)
+        corners = integers("faces", faces)
+        positions = np.asarray(rest, np.float32)
+        if self._parts.shape != positions.shape[:1]:
+            raise Error(f"parts: expected the shape [{len(positions)}], found {list(self._parts.shape)}")
+        self._closed = {number: _closed_part(number, positions, corners, self._parts)
+                        for number in np.unique(self._parts).tolist()
+                        if (self._parts[corners] == number).all(axis=1).any()}
+
+    @property
+    def numbers(self) -> List[int]:
+        """Numbers of the parts that have triangles, ascending."""
+        return sorted(self._closed)
+
+    def model(self, part: int) -> Model:
+        """Returns the closed surface of a part, for queries with its `poses`."""
+        return self._closed[part].model
+
+    def poses(self, part: int, positions: Array) -> Vertices:
+        """Returns the poses of a part.
+
+        positions:  [F, V, 3] posed vertices of the body, as from `pelt.posed_vertices`.
+        """
+        return Vertices(_part_positions(self._closed[part], np.asarray(positions, np.float32)))
+
+    def vertices_inside(self, model: Model, poses: PosesLike, *,
+                        threads: Optional[int] = None) -> npt.NDArray[np.bool_]:
+        """Returns which vertices of a body are inside a part that is not theirs, in each frame [F, V].
+
+        model, poses:  of the whole body, F frames.
+
+        Definition: a vertex of one part is inside another part if the winding number of the closed
+        surface of that part is not 0. Vertices next to the part, on triangles that share one with it,
+        do not count: they are inside in many poses without harm, as at armpits and groins.
+        Source: TUCH, selfcontact/selfcontact.py, where the winding number of the whole body is
+        compared with 0.99 and tests by segments excuse vertices. A whole surface passes through its
+        own vertices, so its winding number is not defined there; with parts, the decision is exact.
+
+        Misjudges: a part inside itself, such as a folded belly, has no vertices inside. Vertices in the
+        gap between two parts belong to neither part's closed surface.
+        """
+        positions = pelt.posed_vertices(model, poses, threads=threads, progress=False)
+        inside = np.zeros(positions.shape[:2], np.bool_)
+        for part in self.numbers:
+            others = np.flatnonzero(~self._closed[part].own)
+            sides = pelt.side_of(self.model(part), self.poses(part, positions), positions[:, others],
+                                 threads=threads, progress=False)
+            inside[:, others] |= sides > 0
+        return inside
+
+
+def _closed_part(number: int, positions: Floats, faces: Integers, parts: Integers) -> _Part:
+    of_part = parts[faces] == number
+    inner = faces[of_part.all(axis=1)]
+    vertices, local = np.unique(inner, return_inverse=True)
+    triangles = local.reshape(-1, 3)
+    loops = _boundary_loops(number, triangles)
+    fans = [np.stack([np.roll(loop, -1), loop, np.full_like(loop, len(vertices) + index)], axis=1)
+            for index, loop in enumerate(loops)]
+    own = np.zeros(len(positions), np.bool_)
+    own[faces[of_part.any(axis=1)]] = True
+    part = _Part(None, vertices, [vertices[loop] for loop in loops], own)  # type: ignore[arg-type]
+    rest = _part_positions(part, positions[np.newaxis])[0]
+    model = Model(rest, np.concatenate([triangles, *fans]))
+    if not model.is_closed:
+        raise Error(f"parts: part {number} cannot be closed: its surface branches or is not oriented")
+    return part._replace(model=model)
+
+
+def _part_positions(part: _Part, positions: Floats) -> Floats:
+    """Returns the vertices of the part, then the mean of each loop, [F, ...]."""
+    means = [positions[:, loop].mean(axis=1, keepdims=True) for loop in part.loops]
+    return np.concatenate([positions[:, part.vertices], *means], axis=1)
+
+
+def _boundary_loops(number: int, triangles: Integers) -> List[Integers]:
+    """Returns the boundaries of a surface, each in the direction of its triangles' edges."""
+    edges = {(int(a), int(b)) for triangle in triangles
+             for a, b in zip(triangle, np.roll(triangle, -1))}
+    after = {}
+    for a, b in sorted(edges):
+        if (b, a) in edges:
+            continue
+        if a in after:
+            raise Error(f"parts: two boundaries of part {number} touch each other")
+        after[a] = b
+    loops = []
+    while after:
+        loop = [next(iter(after))]
+        while (follower := after.pop(loop[-1], None)) is not None:
+            loop.append(follower)
+        if loop[0] != loop[-1]:
+            raise Error(f"parts: a boundary of part {number} is not a loop")
+        loops.append(np.array(loop[:-1], np.int64))
+    return loops

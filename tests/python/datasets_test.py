@@ -1,0 +1,197 @@
+"""pelt.datasets and `python -m pelt metrics`: tables of folders, bad files, resumed and killed runs."""
+
+import contextlib
+import csv
+import io
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import types
+import unittest
+import unittest.mock
+
+import numpy as np
+
+import generated_body
+import pelt
+from pelt import _command, body_models, datasets, metrics, motions
+from support import Case
+
+
+def run_command(*arguments):
+    """Runs the command in this process, which is much faster than in a new one."""
+    output, errors = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+        try:
+            status = _command.main([str(argument) for argument in arguments])
+        except SystemExit as exit:
+            status = exit.code
+    return types.SimpleNamespace(returncode=status, stdout=output.getvalue(), stderr=errors.getvalue())
+
+
+def read_rows(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Folder(Case):
+    clips = ("a/run.npz", "a/walk.npz", "b/jump, high.npz", "b/sit.npz")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.data, self.table = self.root / "data", self.root / "table.csv"
+        self.body = generated_body.save_body(self.root / "body.npz")
+        for seed, clip in enumerate(self.clips):
+            generated_body.save_motion(self.data / clip, generated_body.motion_keys(seed=seed))
+
+    def command(self, *more):
+        return run_command("metrics", self.data, "--out", self.table, "--body-model", self.body, *more)
+
+
+class Clips(Folder):
+    def test_find_clips(self):
+        for name in ("a/shape.npz", "a/female_stagei.npz", "a/notes.txt"):
+            (self.data / name).write_bytes(b"")
+        (self.data / "b/old.pkl").write_bytes(b"")
+        self.assertEqual(datasets.find_clips(self.data), sorted([*self.clips, "b/old.pkl"]))
+        self.refuses("nowhere: not a folder", datasets.find_clips, "nowhere")
+
+    def test_row_is_that_of_the_metrics(self):
+        row = datasets.Measurement(self.data, self.body)("a/walk.npz")
+        motion = motions.load(self.data / "a/walk.npz")
+        subject = body_models.load(self.body).subject(motion.betas)
+        poses = subject.poses(motion)
+        percent = metrics.colliding_triangles(subject.model, poses).percent
+        volume = metrics.self_intersection_volume(subject.model, poses).value
+        self.assertEqual(row["colliding_mean"], percent.mean())
+        self.assertEqual(row["colliding_max"], percent.max())
+        self.assertEqual(row["colliding_frame"], percent.argmax())
+        self.assertEqual(row["volume_max"], volume.max())
+        self.assertEqual((row["frames"], row["fps"], row["gender"]), (6, 120.0, "male"))
+
+    def test_chunks_do_not_change_the_row(self):
+        measure = datasets.Measurement(self.data, self.body, ["colliding", "contact"])
+        whole = measure("a/walk.npz")
+        with unittest.mock.patch("pelt.datasets._AT_A_TIME", 4):
+            self.assertEqual(measure("a/walk.npz"), whole)
+
+    def test_every(self):
+        row = datasets.Measurement(self.data, self.body, ["colliding"], every=5)("a/walk.npz")
+        self.assertEqual((row["frames"], row["colliding_frame"]), (2, 5))
+
+    def test_open_body_has_no_volume(self):
+        faces = generated_body.arrays()["f"][1:]
+        open_body = generated_body.save_body(self.root / "open.npz", f=faces)
+        row = datasets.Measurement(self.data, open_body, ["volume"])("a/walk.npz")
+        self.assertEqual(row["volume_mean"], "")
+
+    def test_genders(self):
+        self.refuses("gender: no body model for 'male'",
+                     datasets.Measurement(self.data, {"female": self.body}), "a/walk.npz")
+
+    def test_refused(self):
+        self.refuses("metrics: unknown 'depth'", datasets.Measurement, self.data, self.body, ["depth"])
+        self.refuses("every: expected 1", datasets.Measurement, self.data, self.body, every=0)
+
+
+class Command(Folder):
+    def test_module(self):
+        result = subprocess.run([sys.executable, "-B", "-m", "pelt", "--help"], capture_output=True,
+                                text=True)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("metrics", result.stdout)
+
+    def test_all_clips(self):
+        result = self.command()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("4 clips measured, 0 failed", result.stdout)
+        rows = read_rows(self.table)
+        self.assertEqual([row["clip"] for row in rows], list(self.clips))
+        self.assertTrue(all(float(row["filtered_max"]) > 0 for row in rows))
+
+    def test_bad_files_are_listed(self):
+        (self.data / "a/broken.npz").write_bytes((self.data / "a/run.npz").read_bytes()[:5000])
+        (self.data / "a/model.pkl").write_bytes(b"")
+        generated_body.save_motion(self.data / "b/wide.npz", poses=np.zeros((6, 165)))
+        result = self.command()
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("4 clips measured, 3 failed", result.stdout)
+        for reason in ("broken.npz: not a complete .npz file", "model.pkl: pickled files can run",
+                       "wide.npz: motion: has poses of 55 joints"):
+            self.assertIn(reason, result.stderr)
+        self.assertEqual(len(read_rows(self.table)), 4)
+
+    def test_resumes(self):
+        self.command()
+        whole = self.table.read_bytes()
+        for cut in (0, 3, whole.index(b"\n") + 1, len(whole) - 1, len(whole) - 90):
+            self.table.write_bytes(whole[:cut])
+            result = self.command()
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertEqual(self.table.read_bytes(), whole)
+        self.assertIn("0 clips measured, 4 were there before", self.command().stdout)
+
+    def test_other_measurements_are_refused(self):
+        self.command("--metrics", "colliding")
+        for more, message in [(("--metrics", "contact"), "has other columns"),
+                              (("--metrics", "colliding", "--every", 2), "row 2 is of another")]:
+            result = self.command(*more)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(message, result.stderr)
+        self.assertEqual(len(read_rows(self.table)), 4)
+
+    def test_shards_are_the_whole(self):
+        self.command("--metrics", "colliding")
+        whole = read_rows(self.table)
+        parts = []
+        for shard in (1, 2, 3):
+            self.table = self.root / f"table-{shard}.csv"
+            self.command("--metrics", "colliding", "--shard", f"{shard}/3", "--threads", 1)
+            parts += read_rows(self.table)
+        self.assertEqual(sorted(parts, key=lambda row: row["clip"]), whole)
+
+    def test_killed_run_loses_one_clip_at_most(self):
+        for seed in range(12):
+            generated_body.save_motion(self.data / f"c/{seed}.npz",
+                                       generated_body.motion_keys(seed=seed))
+        arguments = [sys.executable, "-B", "-m", "pelt", "metrics", self.data, "--out", self.table,
+                     "--body-model", self.body, "--metrics", "colliding"]
+        process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL)
+        while process.poll() is None and not (self.table.exists() and len(read_rows(self.table)) >= 3):
+            time.sleep(0.01)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        before = read_rows(self.table)
+        self.assertEqual(self.command("--metrics", "colliding").returncode, 0)
+        after = read_rows(self.table)
+        self.assertEqual(len(after), 16)
+        self.assertEqual([row for row in before if None not in row.values()], after[:len(before)])
+
+    def test_one_process_at_a_time(self):
+        measure = datasets.Measurement(self.data, self.body)
+        with datasets.Table(self.table, measure):
+            result = self.command()
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("another process is writing this table", result.stderr)
+
+    def test_invalid_arguments(self):
+        for more in (("--shard", "0/2"), ("--shard", "3/2"), ("--shard", "two"), ("--every", "x"),
+                     ("--every", "0"), ("--metrics", "nothing"), ("--body-model", "female=absent.npz")):
+            with self.subTest(more):
+                self.assertEqual(self.command(*more).returncode, 2)
+        self.assertEqual(run_command().returncode, 2)
+
+    def test_help(self):
+        self.assertIn("metrics", run_command("--help").stdout)
+        text = run_command("metrics", "--help").stdout
+        for word in (*datasets.METRICS, "--shard", "example:", "exit status"):
+            self.assertIn(word, text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,282 @@
+"""pelt.metrics on shapes with known answers."""
+
+import itertools
+import unittest
+
+import numpy as np
+
+import generated_body
+import pelt
+from pelt import body_models, metrics
+from support import Case, box, box_model, moved
+
+HERE = [[0, 0, 0]]
+
+
+def joined(*meshes):
+    """Returns one mesh of several."""
+    starts = np.cumsum([0] + [len(rest) for rest, _ in meshes])
+    return (np.concatenate([rest for rest, _ in meshes]),
+            np.concatenate([faces + start for (_, faces), start in zip(meshes, starts)]))
+
+
+def sphere(radius=1.0, rings=24):
+    """Returns a sphere of latitudes and longitudes."""
+    latitudes = np.linspace(0, np.pi, rings + 1)[1:-1]
+    longitudes = np.arange(2 * rings) * np.pi / rings
+    ring = [[np.sin(a) * np.cos(b), np.sin(a) * np.sin(b), np.cos(a)]
+            for a in latitudes for b in longitudes]
+    count, rows = 2 * rings, len(latitudes)
+    rest = np.array([[0, 0, 1], *ring, [0, 0, -1]]) * radius
+    faces = []
+    for row, at in itertools.product(range(rows + 1), range(count)):
+        after = (at + 1) % count
+        above, below = 1 + (row - 1) * count, 1 + row * count
+        if row < rows:
+            faces.append([above + at if row else 0, below + at, below + after])
+        if row > 0:
+            faces.append([above + at, below + at if row < rows else len(rest) - 1, above + after])
+    return rest, np.array(faces)
+
+
+def two_boxes():
+    """Two cubes of side 2 in one mesh, each with a joint of its own."""
+    rest, faces = joined(box(), box())
+    return rest, faces, np.repeat(np.eye(2), 8, axis=0)
+
+
+def apart(*offsets):
+    """Returns palettes [F, 2, 4, 4] that move the second joint only."""
+    return np.concatenate([moved(*HERE * len(offsets)), moved(*offsets)], axis=1)
+
+
+class Collisions(Case):
+    def test_colliding_triangles(self):
+        rest, faces, weights = two_boxes()
+        model = pelt.Model(rest, faces, weights)
+        poses = apart([1.5, 0.3, 0.2], [5, 0, 0])
+        share = metrics.colliding_triangles(model, poses)
+        pairs = pelt.self_collide(model, poses)
+        self.assertEqual(share.pairs.tolist(), [len(pairs), 0])
+        self.assertGreater(len(pairs), 4)
+        self.assertEqual(share.percent.tolist(), [100 * len(pairs) / 24, 0])
+        touched = set(pairs.triangle_a) | set(pairs.triangle_b)
+        self.assertEqual(share.triangles.tolist(), [len(touched), 0])
+        self.assertEqual(share.triangle_percent[0], 100 * len(touched) / 24)
+
+    def test_cap(self):
+        rest, faces, weights = two_boxes()
+        model, poses = pelt.Model(rest, faces, weights), apart([1.5, 0.3, 0.2])
+        all_pairs = metrics.colliding_triangles(model, poses).pairs[0]
+        capped = metrics.capped_colliding_triangles(model, poses, faces, cap=1000)
+        self.assertEqual((capped.pairs[0], capped.lost[0]), (all_pairs, 0))
+        capped = metrics.capped_colliding_triangles(model, poses, faces)
+        self.assertEqual(capped.pairs[0] + capped.lost[0], all_pairs)
+        self.assertEqual(capped.pairs[0], self.by_brute_force(model, poses, faces, 8))
+        self.assertGreater(capped.lost[0], 0)
+        self.refuses("faces: expected the shape", metrics.capped_colliding_triangles, model, poses,
+                     faces[1:])
+
+    def by_brute_force(self, model, poses, faces, cap):
+        triangles = pelt.posed_vertices(model, poses)[0][faces]
+        pairs = set(zip(*pelt.self_collide(model, poses).in_frame(0).T))
+        kept = 0
+        for a in range(len(faces)):
+            hits = [b for b in range(a + 1, len(faces))
+                    if all(triangles[a][:, k].min() <= triangles[b][:, k].max()
+                           and triangles[b][:, k].min() <= triangles[a][:, k].max() for k in range(3))]
+            kept += sum((a, b) in pairs for b in hits[:cap])
+        return kept
+
+    def test_smplify_x_filter(self):
+        rest, faces = joined(box(), box(), box(), box())
+        model = pelt.Model(rest, faces, np.repeat(np.eye(4), 8, axis=0))
+        poses = np.concatenate([moved([0.1 * j, 0.2 * j, 0.05 * j]) for j in range(4)], axis=1)
+        pairs = pelt.self_collide(model, poses).in_frame(0) // 12
+        parts = {tuple(pair) for pair in pairs.tolist()}
+        self.assertEqual(parts, {(a, b) for a in range(4) for b in range(a + 1, 4)})
+        parents = [-1, 0, 0, 1]  # (0, 1), (0, 2), (1, 3) are parent and child; (1, 2) is ignored
+        expected = sum(tuple(pair) in {(0, 3), (2, 3)} for pair in pairs.tolist())
+        by_joints = metrics.smplify_x_filter(model, parents)
+        by_segments = metrics.smplify_x_filter(
+            model, segments=np.repeat(range(4), 12), segment_parents=np.repeat(parents, 12))
+        for ignore in by_joints, by_segments:
+            self.assertEqual(metrics.colliding_triangles(model, poses, ignore).pairs[0], expected)
+        self.refuses("expected joint_parents, or segments", metrics.smplify_x_filter, model)
+
+
+class Penetration(Case):
+    def test_vertices_inside(self):
+        inside = metrics.vertices_inside(box_model(), moved([0, 0, 0], [1.5, 1.5, 1.5], [9, 0, 0]),
+                                         box_model(1.25), moved([0, 0, 0]))
+        self.assertEqual(inside.count_a.tolist(), [8, 1, 0])
+        self.assertEqual(inside.count_b.tolist(), [0, 1, 0])
+        self.assertEqual(inside.fraction_b.tolist(), [0, 1 / 8, 0])
+
+    def test_frames(self):
+        found = metrics.penetration_frames(
+            box_model(), moved([0, 0, 0], [1.5, 1.5, 1.5], [9, 0, 0], [8, 0, 0]), box_model(1.25),
+            moved([0, 0, 0]))
+        self.assertEqual(found.collides.tolist(), [True, True, False, False])
+        self.assertEqual((found.frame_percent, found.penetration), (50, (1 / 2 + 1 / 8) / 2))
+        none = metrics.penetration_frames(box_model(), moved([9, 0, 0]), box_model(), moved([0, 0, 0]))
+        self.assertEqual((none.frame_percent, none.penetration), (0, 0))
+
+    def test_depth(self):
+        found = metrics.depth(box_model(), moved([1.5, 1.25, 1.5], [9, 0, 0]), box_model(),
+                              moved([0, 0, 0]))
+        self.assertEqual((found.per_frame.tolist(), found.deepest, found.mean), ([0.5, 0], 0.5, 0.25))
+
+
+class Volumes(Case):
+    def test_boxes(self):
+        found = metrics.intersection_volume(box_model(), moved([1.5, 0.25, 0], [9, 0, 0]), box_model(),
+                                            moved([0, 0, 0]))
+        self.assertTrue((np.abs(found.value - [0.5 * 1.75 * 2, 0]) <= found.error).all())
+        self.assertLess(found.error.max(), 1e-9)
+        self.assertAlmostEqual(metrics.volume(box_model(), moved([3, 0, 0])).value[0], 8)
+
+    def test_spheres(self):
+        model = pelt.Model(*sphere(rings=48))
+        lens = 5 * np.pi / 12  # of unit spheres at distance 1
+        found = metrics.intersection_volume(model, moved([1, 0, 0]), model, moved([0, 0, 0]))
+        self.assertLess(abs(found.value[0] / lens - 1), 0.01)
+        self.assertLess(abs(metrics.volume(model, moved([0, 0, 0])).value[0] / (4 / 3 * np.pi) - 1), 0.01)
+
+    def test_of_one_body(self):
+        model, poses = pelt.Model(*two_boxes()), apart([1.5, 0.25, 0], [5, 0, 0])
+        found = metrics.self_intersection_volume(model, poses)
+        self.assertTrue((np.abs(found.value - [1.75, 0]) <= found.error + 1e-12).all())
+
+    def test_open_surfaces(self):
+        rest, faces = box()
+        self.refuses("not closed", metrics.volume, pelt.Model(rest, faces[1:]), moved([0, 0, 0]))
+
+    def test_voxels(self):
+        bodies = [(box_model(), moved([1.5, 0.25, 0], [9, 0, 0])), (box_model(), moved([0, 0, 0]))]
+        coarse = metrics.voxel_intersection_volume(bodies, side=0.5)
+        self.assertEqual(coarse.volume.tolist(), [1 * 4 * 4 * 0.125, 0])  # 1.75 is rounded up to 2
+        self.assertEqual(coarse.percent.tolist(), [100 * 16 / (64 + 64 - 16), 0])
+        fine = metrics.voxel_intersection_volume(bodies, side=0.1)
+        self.assertLess(abs(fine.volume[0] - 1.75), 0.2)
+        self.refuses("side: frame 0 would need", metrics.voxel_intersection_volume, bodies, side=1e-3)
+
+    def test_voxels_miss_what_is_thin(self):
+        bodies = [(box_model(), moved([1.99, 0, 0])), (box_model(), moved([0.0, 0, 0]))]
+        self.assertEqual(metrics.voxel_intersection_volume(bodies, side=0.25).volume[0], 0)
+        exact = metrics.intersection_volume(*bodies[0], *bodies[1])
+        self.assertAlmostEqual(exact.value[0], 0.04, 6)
+
+
+def strip(length=100, step=0.0101):
+    """A ribbon of this many squares along x, one square wide; joints at both ends."""
+    rest = np.array([[step * i, y, 0] for i in range(length + 1) for y in (0, step)])
+    faces = [[2 * i + a for a in triangle] for i in range(length)
+             for triangle in ([0, 2, 3], [0, 3, 1])]
+    end = rest[:, 0] > step * length / 2
+    return rest, np.array(faces), np.stack([~end, end], axis=1).astype(float)
+
+
+class SelfContact(Case):
+    def setUp(self):
+        self.rest, self.faces, weights = strip()
+        self.model = pelt.Model(self.rest, self.faces, weights)
+        self.geodesics = metrics.Geodesics(self.rest, self.faces)
+
+    def test_rest_is_free(self):
+        found = metrics.self_contact(self.model, apart([0, 0, 0]), self.geodesics)
+        self.assertEqual(found.percent.tolist(), [0])
+        self.assertTrue(np.isinf(found.distance).all())
+
+    def test_against_brute_force(self):
+        # Moves the second half over the first one, 1.5 cm above.
+        offsets = [[-0.5, 0, 0.015], [-0.3, 0.004, 0.015], [-0.2, 0, 0.015], [0, 0, 0.5]]
+        poses = apart(*offsets)
+        found = metrics.self_contact(self.model, poses, self.geodesics)
+        posed = pelt.posed_vertices(self.model, poses).astype(float)
+        along = self.floyd()
+        hits = 0
+        for frame in range(len(offsets)):
+            apart_by = np.linalg.norm(posed[frame][:, np.newaxis] - posed[frame], axis=2)
+            apart_by[along < 0.3] = np.inf
+            least = apart_by.min(axis=1)
+            least[least > 0.02] = np.inf
+            hits += int(np.isfinite(least).sum())
+            self.assertTrue(np.array_equal(np.isfinite(least), found.touching[frame]))
+            self.assertTrue(np.allclose(least, found.distance[frame], rtol=1e-6))
+        self.assertGreater(hits, 100)
+        self.assertEqual(found.percent[3], 0)
+
+    def floyd(self):
+        """Distances along edges of all pairs, by the algorithm of Floyd and Warshall."""
+        rest = self.rest.astype(np.float32).astype(float)
+        along = np.full((len(rest), len(rest)), np.inf)
+        for face in self.faces:
+            for a, b in itertools.permutations(face, 2):
+                along[a, b] = np.linalg.norm(rest[a] - rest[b])
+        np.fill_diagonal(along, 0)
+        for k in range(len(rest)):
+            along = np.minimum(along, along[:, k:k + 1] + along[k])
+        return along
+
+    def test_refused(self):
+        self.refuses("limit: expected a positive number", metrics.Geodesics, self.rest, self.faces, 0)
+        self.refuses("rest: vertex 3 is not finite", metrics.Geodesics,
+                     np.where(np.arange(len(self.rest))[:, np.newaxis] == 3, np.nan, self.rest),
+                     self.faces)
+        self.refuses("faces: element 2", metrics.Geodesics, self.rest[:3], self.faces)
+        self.refuses("geodesics: made for 8 vertices", metrics.self_contact, self.model,
+                     apart([0, 0, 0]), metrics.Geodesics(*box()))
+
+
+class Parts(Case):
+    def setUp(self):
+        keys = generated_body.arrays()
+        self.weights = keys["weights"]
+        self.rest, self.faces = keys["v_template"], keys["f"].astype(int)
+
+    def test_parts_of_a_body(self):
+        # Left and right arm, and the remaining body.
+        arm = 0.25
+        parts = np.where(self.rest[:, 0] > arm, 1, np.where(self.rest[:, 0] < -arm, 2, 0))
+        body = metrics.BodyParts(self.rest, self.faces, parts)
+        self.assertEqual(body.numbers, [0, 1, 2])
+        self.assertTrue(all(body.model(number).is_closed for number in body.numbers))
+        model = pelt.Model(self.rest, self.faces)
+        pushed = np.stack([self.rest, self.rest]).astype(np.float32)
+        pushed[1, parts == 1] -= [0.45, 0.2, 0]
+        inside = body.vertices_inside(model, pelt.Vertices(pushed))
+        self.assertFalse(inside[0].any())
+        self.assertGreater(inside[1, parts == 1].sum(), 10)
+        bodies = [(body.model(n), body.poses(n, pushed)) for n in body.numbers]
+        volume = metrics.voxel_intersection_volume(bodies).volume
+        self.assertEqual(volume[0], 0)
+        self.assertGreater(volume[1], 0)
+
+    def test_refused(self):
+        self.refuses("parts: expected the shape", metrics.BodyParts, self.rest, self.faces, [0])
+
+
+class Subject(Case):
+    def test_all_metrics_of_a_motion(self):
+        body = body_models.BodyModel(*(generated_body.arrays()[key] for key in (
+            "v_template", "shapedirs", "posedirs", "J_regressor", "weights")),
+            np.array(generated_body.PARENTS), generated_body.arrays()["f"].astype(int))
+        from pelt import motions
+        keys = generated_body.motion_keys()
+        motion = motions.Motion(keys["poses"], keys["trans"], keys["betas"], 120.0)
+        subject = body.subject(motion.betas)
+        poses = subject.poses(motion)
+        kept = metrics.smplify_x_filter(subject.model, body.parents)
+        filtered = metrics.colliding_triangles(subject.model, poses, kept).pairs
+        uncapped = metrics.colliding_triangles(subject.model, poses).pairs
+        self.assertTrue((filtered <= uncapped).all())
+        self.assertEqual((uncapped[0], filtered[0]), (0, 0))
+        self.assertGreater(filtered[-1], 0)
+        contact = metrics.self_contact(subject.model, poses,
+                                       metrics.Geodesics(subject.rest, body.faces), distance=0.05)
+        self.assertGreater(contact.percent[-1], contact.percent[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
