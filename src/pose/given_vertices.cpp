@@ -1,6 +1,7 @@
 #include "pose/given_vertices.hpp"
 
 #include "pose/refit_given.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <cmath>
 #include <cstring>

@@ -2,6 +2,7 @@
 
 #include "base/float8.hpp"
 #include "geometry/box4.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <cmath>
 

@@ -41,7 +41,7 @@ class Stack : public StackMemory {
   const T* end() const { return begin() + size_; }
   T* end() { return begin() + size_; }
 
-  void push(const T& item) {
+  [[gnu::always_inline]] void push(const T& item) {
     if (size_ == capacity_) grow(sizeof(T));
     begin()[size_++] = item;
   }
