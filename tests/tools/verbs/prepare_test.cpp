@@ -46,12 +46,12 @@ TEST(Prepare, InfoPrintsTheContents) {
   info.erase("hash");
   info["prepared"].erase("bytes");
   EXPECT_EQ(info, json::parse(R"({
-    "format": "pelt-info", "version": 1, "model": "strip.pelt", "prepared": {"version": 3},
+    "format": "pelt-info", "version": 1, "model": "strip.pelt", "prepared": {"version": 4},
     "vertices": 12, "triangles": 8, "degenerate_triangles": 0, "influences_per_vertex": 2,
     "renormalised_vertices": 0, "merged_influences": 0, "joint_count": 3,
     "nodes": 1, "clusters": 1})"));
   const Ended told = run_pelt(folder, {"info", "strip.pelt"});
-  EXPECT_NE(told.out.find("version 3 of the format"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("version 4 of the format"), std::string::npos) << told.out;
 }
 
 TEST(Prepare, RefusesWhatIsDamaged) {
