@@ -154,11 +154,21 @@ function useCharacter(character: Character): void {
   check(low[1] < high[1], 'extent');
 }
 
+function refusesDualQuaternions(pose: Pose): boolean {
+  try {
+    pose.setDualQuaternions(new Float32Array(8 * pose.character.jointCount));
+  } catch (error) {
+    return error instanceof PeltError;
+  }
+  return false;
+}
+
 function useMorphs(face: Character): void {
   const pose = face.makePose(0);
   check(pose.part === 0 && pose.nodeCount <= face.nodeCount, 'part');
   const weights: Float32Array = face.morphWeights('talk', 0.5);
   pose.setMorphWeights(face.morphWeights(null, 0, weights));
+  check(refusesDualQuaternions(pose), 'linear blend skinning');
   pose.delete();
 }
 
