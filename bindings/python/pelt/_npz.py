@@ -118,6 +118,7 @@ class Npz:
                 stream: IO[bytes]) -> Tuple[Tuple[int, ...], bool, "np.dtype[Any]"]:
         """Reads the header of an array: shape, whether in Fortran's order, type."""
         try:
+            header: Tuple[Tuple[int, ...], bool, "np.dtype[Any]"]
             version = np.lib.format.read_magic(stream)
             if version == (1, 0):
                 header = np.lib.format.read_array_header_1_0(stream)
@@ -127,7 +128,7 @@ class Npz:
                 raise ValueError(f"version {version} of the format")
         except _UNREADABLE as error:
             raise self.error(key, f"not an array of NumPy: {error}") from error
-        return header  # type: ignore[return-value]
+        return header
 
     def _read(self, key: str) -> npt.NDArray[Any]:
         with self._open(key) as stream:

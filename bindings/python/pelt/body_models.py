@@ -11,7 +11,7 @@
 Positions are in metres. The frame is that of the motion: z is up in AMASS.
 """
 
-from typing import Any, Iterator, Tuple, cast
+from typing import Any, Dict, Iterator, Tuple, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -180,7 +180,7 @@ def load(path: Path) -> BodyModel:
     Raises `pelt.Error` that names the file and the key.
     """
     refuse_pickle(path, _KEYS)
-    sizes = {}
+    sizes: Dict[str, int] = {}
     with Npz(path) as npz:
         weights = npz.floats("weights", ("V", "J"), sizes)
         if sizes["J"] < 1:
@@ -197,7 +197,7 @@ def load(path: Path) -> BodyModel:
 
 def _parents(npz: Npz, sizes: Any) -> npt.NDArray[np.int64]:
     table = npz.integers("kintree_table", (2, "J"), sizes)
-    parents = table[0].copy()
+    parents: npt.NDArray[np.int64] = table[0].copy()
     parents[0] = -1  # written as -1 or as 2^32 - 1
     wrong = np.flatnonzero((parents[1:] < 0) | (parents[1:] >= np.arange(1, len(parents)))) + 1
     if len(wrong):

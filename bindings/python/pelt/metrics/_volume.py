@@ -135,7 +135,8 @@ def _in_counts(bodies: Sequence[Tuple[Model, PosesLike]], positions: Sequence[Fl
         counts.append(centres[sides[0] > 0])
     if not counts:
         return np.zeros(0, np.int64)
-    return np.unique(np.concatenate(counts), axis=0, return_counts=True)[1]
+    found: npt.NDArray[np.int64] = np.unique(np.concatenate(counts), axis=0, return_counts=True)[1]
+    return found
 
 
 def _centres(vertices: Floats, frame: int, side: float) -> npt.NDArray[np.int64]:
@@ -146,4 +147,5 @@ def _centres(vertices: Floats, frame: int, side: float) -> npt.NDArray[np.int64]
     if float(np.prod(sizes.astype(np.float64))) > _MAX_VOXELS:
         raise Error(f"side: frame {frame} would need more than {_MAX_VOXELS} voxels")
     axes = [np.arange(start, start + size) for start, size in zip(low, sizes)]
-    return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    centres: npt.NDArray[np.int64] = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    return centres
