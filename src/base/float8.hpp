@@ -214,7 +214,7 @@ inline void points_of(const Points8& p, Float4 (&points)[8]) {
     const auto part = [half](const Float8& v) { return half == 0 ? v.low() : v.high(); };
     Float4 a = part(p.x), b = part(p.y), c = part(p.z), d = c;
     transpose(a, b, c, d);
-    Float4* const to = points + 4 * half;
+    Float4* const to = half == 0 ? points : points + 4;
     to[0] = a, to[1] = b, to[2] = c, to[3] = d;
   }
 #endif

@@ -97,9 +97,10 @@ class JointPairs8 {
   /// A column of the differences of the matrices.
   Points8 column(std::uint32_t number) const {
     const Matrix4* matrices = palette_.joints().data();
+    const std::size_t at = std::size_t{4} * number;
     const auto difference = [&](std::uint32_t lane) {
-      return load4(matrices[first_[lane]].m.data() + 4 * number) -
-             load4(matrices[second_[lane]].m.data() + 4 * number);
+      return load4(matrices[first_[lane]].m.data() + at) -
+             load4(matrices[second_[lane]].m.data() + at);
     };
     return transpose8(difference(0), difference(1), difference(2), difference(3), difference(4),
                       difference(5), difference(6), difference(7));
