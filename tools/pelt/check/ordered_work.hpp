@@ -69,8 +69,8 @@ class OrderedWork {
     EndOnThrow guard{*this};
     while (const std::optional<std::size_t> index = claim()) {
       Slot& slot = slot_of(*index);
-      Result<void> computed = compute_(worker, *index, slot.item);
-      use_ready(slot, std::move(computed));
+      const Result<void> computed = compute_(worker, *index, slot.item);
+      use_ready(slot, computed);
     }
     guard.is_armed = false;
   }
@@ -86,9 +86,9 @@ class OrderedWork {
   }
 
   /// Stores a computed item. Then uses all items whose turn it is, unless another thread does so.
-  void use_ready(Slot& slot, Result<void> computed) {
+  void use_ready(Slot& slot, const Result<void>& computed) {
     std::unique_lock lock(mutex_);
-    slot.computed = std::move(computed);
+    slot.computed = computed;
     if (is_using_) return;
     is_using_ = true;
     while (!is_ended_ && used_ < count_ && slot_of(used_).computed) {
