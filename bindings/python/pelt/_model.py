@@ -29,6 +29,8 @@ class Model:
     Raises `pelt.Error` that names the array and the element.
     """
 
+    _empty_filter: Optional[_pelt.SelfFilter] = None
+
     def __init__(self, rest: Array, faces: Array, weights: Optional[Array] = None,
                  joints: Optional[Array] = None, *, joint_count: Optional[int] = None,
                  morph_targets: Optional[Array] = None, renormalise: bool = False,

@@ -52,10 +52,17 @@ class SelfFilter:
             optional("groups", groups), optional("group_pairs", group_pairs))
 
 
+def _empty_filter(model: Model) -> _pelt.SelfFilter:
+    """Making one takes as long as a query of tens of frames, so each model keeps its own."""
+    if model._empty_filter is None:
+        model._empty_filter = SelfFilter(model)._filter
+    return model._empty_filter
+
+
 def filter_of(model: Model, ignore: Optional[SelfFilter]) -> _pelt.SelfFilter:
     """Returns the filter of an argument; None leaves nothing out."""
     if ignore is None:
-        return SelfFilter(model)._filter
+        return _empty_filter(model)
     if not isinstance(ignore, SelfFilter):
         raise TypeError(f"ignore: expected a pelt.SelfFilter, found {type(ignore).__name__}")
     return ignore._filter

@@ -93,7 +93,7 @@ def capped_colliding_triangles(model: Model, poses: PosesLike, faces: Array, *, 
     Source: torch-mesh-isect, `BVH(max_collisions=8)` and examples/detect_and_plot_collisions.py.
 
     Saturates: deep collisions have more than `cap` box hits for each triangle, and the neighbours
-    alone fill most of the cap in a fine mesh, so the share stays below 100 x cap / T x T and hides how
+    alone fill most of the cap in a fine mesh, so the share is at most 100 x cap percent and hides how
     bad a pose is. Which hits torch-mesh-isect keeps depends on the order in which it visits its tree.
     This function keeps those of lowest index instead, so that the answer can be reproduced: expect
     figures that are close to published ones, not equal. `colliding_triangles` has neither problem.
