@@ -43,6 +43,18 @@ TEST(AnytimeCurve, InterpolatesBetweenMeasuredTimes) {
   EXPECT_EQ(curve.at_time(100).listed, 1);
 }
 
+/// Rounding must not take away what is known.
+TEST(AnytimeCurve, KeepsWhatIsKnownBetweenMeasuredTimes) {
+  AnytimeCurve curve = even_curve(0, 0.7);
+  for (AnytimePoint& point : curve.points) point = {1, 0.3, 0.1};
+  for (int i = 0; i < 1000; ++i) {
+    const AnytimePoint point = curve.at_time(0.0007 * i);
+    EXPECT_EQ(point.listed, 1);
+    EXPECT_EQ(point.undecided, 0.3);
+    EXPECT_EQ(point.resolution, 0.1);
+  }
+}
+
 TEST(AnytimeCurve, KnowsNothingBeforeTheStart) {
   AnytimeCurve curve = even_curve(0, 10);
   curve.times_us[0] = 0.05;

@@ -1,6 +1,7 @@
 #include "tools/pelt/bench/anytime_curve.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pelt::tools::bench {
 namespace {
@@ -14,14 +15,16 @@ double area_of(const Value& value) {
   return sum / kAnytimeSlices;
 }
 
+/// std::lerp, unlike a weighted sum, never decreases where both ends are alike or increase.
+AnytimePoint between(const AnytimePoint& a, const AnytimePoint& b, double part) {
+  return {std::lerp(a.listed, b.listed, part), std::lerp(a.undecided, b.undecided, part),
+          std::lerp(a.resolution, b.resolution, part)};
+}
+
 }  // namespace
 
 AnytimePoint operator+(const AnytimePoint& a, const AnytimePoint& b) {
   return {a.listed + b.listed, a.undecided + b.undecided, a.resolution + b.resolution};
-}
-
-AnytimePoint operator*(double factor, const AnytimePoint& point) {
-  return {factor * point.listed, factor * point.undecided, factor * point.resolution};
 }
 
 AnytimePoint operator/(const AnytimePoint& point, double divisor) {
@@ -32,7 +35,7 @@ AnytimePoint AnytimeCurve::at_work(double share) const {
   const double slice = share * kAnytimeSlices;
   const std::size_t before = std::min(static_cast<std::size_t>(slice), kAnytimeSlices - 1);
   const double part = slice - static_cast<double>(before);
-  return (1 - part) * points[before] + part * points[before + 1];
+  return between(points[before], points[before + 1], part);
 }
 
 double AnytimeCurve::time_us(double share) const {
@@ -40,7 +43,7 @@ double AnytimeCurve::time_us(double share) const {
   while (after + 1 < kTimedShares.size() && kTimedShares[after] < share) ++after;
   const double begin = kTimedShares[after - 1], end = kTimedShares[after];
   const double part = (share - begin) / (end - begin);
-  return (1 - part) * times_us[after - 1] + part * times_us[after];
+  return std::lerp(times_us[after - 1], times_us[after], part);
 }
 
 /// Noise can make the time of a share less than that of a smaller share. Of several shares with
@@ -51,7 +54,7 @@ AnytimePoint AnytimeCurve::at_time(double us) const {
   if (times_us[last] > us) return points[0];
   if (last + 1 == kTimedShares.size()) return points[kAnytimeSlices];
   const double part = (us - times_us[last]) / (times_us[last + 1] - times_us[last]);
-  return at_work((1 - part) * kTimedShares[last] + part * kTimedShares[last + 1]);
+  return at_work(std::lerp(kTimedShares[last], kTimedShares[last + 1], part));
 }
 
 double area_over_work(const AnytimeCurve& curve) {

@@ -18,7 +18,6 @@ struct AnytimePoint {
 };
 
 AnytimePoint operator+(const AnytimePoint& a, const AnytimePoint& b);
-AnytimePoint operator*(double factor, const AnytimePoint& point);
 AnytimePoint operator/(const AnytimePoint& point, double divisor);
 
 /// Number of equal shares of the work after which the state is recorded.
