@@ -67,19 +67,23 @@ inline bool are_far(const detail::MovingTriangle& a, const detail::MovingTriangl
   return false;
 }
 
-inline std::vector<MovingContact> brute_force(const Body& a, const Body& b) {
+inline std::vector<MovingContact> brute_force_moving(const std::vector<detail::MovingTriangle>& a,
+                                                     const std::vector<detail::MovingTriangle>& b) {
   std::vector<MovingContact> contacts;
-  const auto triangles_a = a.triangles(), triangles_b = b.triangles();
-  for (std::uint32_t i = 0; i < triangles_a.size(); ++i)
-    for (std::uint32_t k = 0; k < triangles_b.size(); ++k) {
-      if (are_far(triangles_a[i], triangles_b[k])) continue;
-      if (const auto first = detail::filtered_first_meeting(triangles_a[i], triangles_b[k])) {
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t k = 0; k < b.size(); ++k) {
+      if (are_far(a[i], b[k])) continue;
+      if (const auto first = detail::filtered_first_meeting(a[i], b[k])) {
         MovingContact contact{{i, k}, first->time, first->at_start, {}, {}};
         if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
         contacts.push_back(contact);
       }
     }
   return contacts;
+}
+
+inline std::vector<MovingContact> brute_force(const Body& a, const Body& b) {
+  return brute_force_moving(a.triangles(), b.triangles());
 }
 
 /// Two bending limbs, of which one moves past the other or into it.

@@ -9,6 +9,7 @@
 #include "skin/skin.hpp"
 #include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"
+#include "support/random_offsets.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -21,13 +22,15 @@
 namespace pelt {
 namespace {
 
+using test::Caps;
 using test::Random;
+using test::random_caps;
+using test::random_offsets;
 using test::Shape;
 using test::Stage;
 
 using Matrices = std::vector<Matrix4>;
 using Points = std::vector<Vec3>;
-using Caps = std::vector<float>;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -47,37 +50,6 @@ Points posed(const Pose& pose) {
 
 bool have_equal_bits(const Points& a, const Points& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
-}
-
-/// Caps up to `size`, a quarter of them 0.
-Caps random_caps(Random& random, std::size_t count, double size) {
-  Caps caps(count);
-  for (float& cap : caps) cap = random.chance(0.25) ? 0 : random.uniformf(0, size);
-  return caps;
-}
-
-/// To and beyond the caps, with some numbers that are none.
-Points random_offsets(Random& random, const Caps& caps) {
-  Points offsets;
-  for (const float cap : caps) {
-    const auto one = [&]() -> float {
-      switch (random.index(8)) {
-        case 0:
-          return random.chance(0.5) ? kNan : -kNan;
-        case 1:
-          return random.chance(0.5) ? kInfinity : -kInfinity;
-        case 2:
-          return random.chance(0.5) ? cap : -cap;
-        case 3:
-          return random.chance(0.5) ? 0.0f : -0.0f;
-        default:
-          return random.uniformf(-2, 2) * cap;
-      }
-    };
-    const float x = one(), y = one(), z = one();
-    offsets.push_back({x, y, z});
-  }
-  return offsets;
 }
 
 /// The definition, in its own words.

@@ -1,0 +1,185 @@
+#pragma once
+
+/// Moving bodies with dual quaternion skinning: limbs and soups, with any number of influences,
+/// with morph targets and with offsets.
+
+#include "skin/dual_quaternion.hpp"
+#include "support/dual_shapes.hpp"
+#include "support/random_offsets.hpp"
+
+#include <pelt/motion.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace pelt::test {
+
+struct DualKind {
+  Turns turns = Turns::small;
+  std::uint32_t influences = 4;
+  bool is_soup = false;
+  bool has_morph_targets = false;
+  bool has_offsets = false;
+};
+
+/// Every combination of the last three members, and all numbers of influences from 1 to 8.
+inline std::vector<DualKind> dual_kinds(Turns turns) {
+  std::vector<DualKind> kinds;
+  for (std::uint32_t i = 0; i < 8; ++i)
+    kinds.push_back({turns, 1 + i, i % 2 != 0, i % 4 >= 2, i >= 4});
+  return kinds;
+}
+
+inline constexpr std::uint32_t kDualJoints = 9;
+
+/// Lets each vertex of a limb follow the joints that are closest to it.
+inline void follow_closest_joints(Shape& shape, std::uint32_t influences) {
+  shape.influences_per_vertex = influences;
+  shape.joints.clear(), shape.weights.clear();
+  for (const Vec3& rest : shape.rest_positions) {
+    const double at = double{rest.y} * (shape.joint_count - 1);
+    std::vector<std::uint16_t> joints(shape.joint_count);
+    std::iota(joints.begin(), joints.end(), std::uint16_t{0});
+    std::stable_sort(joints.begin(), joints.end(), [&](std::uint16_t a, std::uint16_t b) {
+      return std::fabs(at - a) < std::fabs(at - b);
+    });
+    joints.resize(influences);
+    double sum = 0;
+    const auto weight = [&](std::uint16_t j) { return 1 / (0.5 + std::fabs(at - j)); };
+    for (const std::uint16_t j : joints) sum += weight(j);
+    for (const std::uint16_t j : joints) {
+      shape.joints.push_back(j);
+      shape.weights.push_back(static_cast<float>(weight(j) / sum));
+    }
+  }
+}
+
+inline Shape make_dual_shape(Random& random, const DualKind& kind, std::uint32_t size) {
+  if (kind.is_soup) {
+    Shape soup = make_soup(random, 2 * size, kDualJoints, kind.influences,
+                           random.chance(0.5) ? Weights::random : Weights::adversarial);
+    if (kind.has_morph_targets) add_morph_targets(random, soup, 3, 0.3, 0.2);
+    return soup;
+  }
+  Shape limb = kind.has_morph_targets ? make_morphing_limb(size / 4, 6, kDualJoints)
+                                      : make_limb(size / 4, 6, kDualJoints);
+  follow_closest_joints(limb, kind.influences);
+  return limb;
+}
+
+/// A limb that bends, twists, or has each second joint turned by half a turn or nearly so, about
+/// its own axis or another one.
+inline std::vector<Matrix4> turn_limb(Random& random, Turns turns, const Vec3& at) {
+  const double angle = random.uniform(-1, 1);
+  switch (turns) {
+    case Turns::small:
+      return random.chance(0.5) ? twist_limb(kDualJoints, 4 * angle, at)
+                                : bend_limb(random, kDualJoints, 0.3 * angle, at);
+    case Turns::large:
+      return random.chance(0.5) ? twist_limb(kDualJoints, 24 * angle, at)
+                                : bend_limb(random, kDualJoints, 3 * angle, at);
+    case Turns::far_away:
+      return bend_limb(random, kDualJoints, 0.3 * angle, {at.x + 1e5f, at.y, at.z});
+    case Turns::any:
+      return random_rigid_palette(random, kDualJoints, turns, 0.2);
+    case Turns::antipodal:
+      break;
+  }
+  std::vector<Matrix4> palette;
+  const Vec3 axis = random.chance(0.5) ? Vec3{0, 1, 0} : random.point(1);
+  for (std::uint32_t j = 0; j < kDualJoints; ++j)
+    palette.push_back(rotation_about(axis, j % 2 * (3.14159265358979 + 1e-3 * angle),
+                                     {0, static_cast<float>(j) / (kDualJoints - 1), 0}, at));
+  return palette;
+}
+
+/// The same motions as dual quaternions, of either sign.
+inline std::vector<float> signed_dual_quaternions(Random& random,
+                                                  const std::vector<Matrix4>& palette) {
+  std::vector<float> floats;
+  for (std::size_t j = 0; j < palette.size(); ++j) {
+    detail::DualQuaternion motion;
+    EXPECT_EQ(detail::to_dual_quaternion(palette[j], j, motion), "");
+    const float sign = random.chance(0.5) ? -1.0f : 1.0f;
+    for (const float f : motion.real) floats.push_back(sign * f);
+    for (const float f : motion.dual) floats.push_back(sign * f);
+  }
+  return floats;
+}
+
+/// A body at both ends of a step. Soups are about as large as limbs.
+struct DualBody {
+  DualBody(Random& random, const DualKind& kind_of_body, std::uint32_t size)
+      : shape(make_dual_shape(random, kind_of_body, size)),
+        kind(kind_of_body),
+        caps(kind.has_offsets
+                 ? random_caps(random, shape.rest_positions.size(), kind.is_soup ? 0.2 : 0.02)
+                 : Caps()),
+        from(build()),
+        to(from.model()) {}
+
+  /// Poses both ends in a new way.
+  void move(Random& random, double distance) {
+    const Vec3 at = random.point(distance), way = random.point(0.2);
+    set(random, from, offsets[0], at);
+    set(random, to, offsets[1], {at.x + way.x, at.y + way.y, at.z + way.z});
+  }
+
+  pelt::Motion step() { return {from, to}; }
+
+  SkinnedModel build() const {
+    SkinnedMeshView view = shape.view();
+    view.offset_caps = caps;
+    return *build_model(view, kDual);
+  }
+
+  std::vector<Matrix4> palette(Random& random, const Vec3& at) const {
+    if (!kind.is_soup) return turn_limb(random, kind.turns, at);
+    std::vector<Matrix4> palette = random_rigid_palette(random, kDualJoints, kind.turns, 0.3);
+    for (Matrix4& m : palette) m.m[12] += at.x, m.m[13] += at.y, m.m[14] += at.z;
+    return palette;
+  }
+
+  void set(Random& random, Pose& pose, std::vector<Vec3>& pose_offsets, const Vec3& at) const {
+    const std::vector<Matrix4> joints = palette(random, at);
+    if (random.chance(0.5))
+      ASSERT_TRUE(pose.set_palette(joints));
+    else
+      ASSERT_TRUE(pose.set_dual_quaternions(signed_dual_quaternions(random, joints)));
+    ASSERT_TRUE(pose.set_morph_weights(
+        make_morph_weights(random, shape.morph_target_count(), Morphing::all)));
+    if (!kind.has_offsets) return;
+    pose_offsets = random_offsets(random, caps);
+    ASSERT_TRUE(pose.set_offsets(pose_offsets));
+  }
+
+  Shape shape;
+  DualKind kind;
+  Caps caps;
+  std::array<std::vector<Vec3>, 2> offsets;  ///< of both ends, because poses borrow them
+  Pose from, to;
+};
+
+/// Calls `test(a, b)` for two bodies of each kind, posed anew in each of `rounds` rounds.
+template <typename Test>
+void on_all_kinds(Random& random, int rounds, std::uint32_t size, double distance,
+                  const Test& test) {
+  for (const Turns turns : kAllTurns)
+    for (const DualKind& kind : dual_kinds(turns)) {
+      DualBody a(random, kind, size), b(random, kind, size);
+      for (int round = 0; round < rounds; ++round) {
+        SCOPED_TRACE(testing::Message() << "turns " << static_cast<int>(turns) << ", "
+                                        << kind.influences << " influences, round " << round);
+        a.move(random, distance), b.move(random, distance);
+        test(a, b);
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
+}
+
+}  // namespace pelt::test
