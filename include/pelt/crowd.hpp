@@ -172,6 +172,11 @@ class PELT_API Crowd {
   Result<void> set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette);
   Result<void> set_palette(std::uint32_t instance, std::span<const double> palette);
 
+  /// Copies a joint palette of dual quaternions, or returns an error, like
+  /// Pose::set_dual_quaternions. Otherwise like `set_palette`.
+  Result<void> set_dual_quaternions(std::uint32_t instance,
+                                    std::span<const float> dual_quaternions);
+
   /// Copies the morph weights of an instance, or returns an error, like Pose::set_morph_weights.
   /// Also computes the box of the instance.
   ///
@@ -194,10 +199,10 @@ class PELT_API Crowd {
   Result<void> set_offsets(std::uint32_t instance, std::span<const Vec3> offsets);
 
   /// Begins a step for `collide_moving`: the current poses of all instances become the start of the
-  /// step. The first `set_palette`, `set_morph_weights`, `set_vertices` or `set_offsets` of an
-  /// instance after this call then begins its motion. Later calls change the end of the motion. An
-  /// instance without such a call stands still, and so does every instance of a crowd for which no
-  /// step was ever begun.
+  /// step. The first `set_palette`, `set_dual_quaternions`, `set_morph_weights`, `set_vertices` or
+  /// `set_offsets` of an instance after this call then begins its motion. Later calls change the
+  /// end of the motion. An instance without such a call stands still, and so does every instance of
+  /// a crowd for which no step was ever begun.
   ///
   /// Cost: O(1). However, the first of these calls for an instance in a step also copies its
   /// palette, and allocates if it is the first one of the instance.

@@ -53,6 +53,11 @@ Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const double> 
   return crowd_->instances.set_palette(instance, palette);
 }
 
+Result<void> Crowd::set_dual_quaternions(std::uint32_t instance,
+                                         std::span<const float> dual_quaternions) {
+  return crowd_->instances.set_dual_quaternions(instance, dual_quaternions);
+}
+
 Result<void> Crowd::set_morph_weights(std::uint32_t instance, std::span<const float> weights) {
   return crowd_->instances.set_morph_weights(instance, weights);
 }

@@ -84,6 +84,15 @@ Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const d
   return take_palette(instance, palette);
 }
 
+Result<void> CrowdInstances::set_dual_quaternions(std::uint32_t number,
+                                                  std::span<const float> dual_quaternions) {
+  CrowdInstance& instance = (*this)[number];
+  save_start(instance);
+  Result<void> taken = instance.palette.set_dual_quaternions(dual_quaternions);
+  if (taken) take_posed(instance);
+  return taken;
+}
+
 Result<void> CrowdInstances::set_morph_weights(std::uint32_t number,
                                                std::span<const float> weights) {
   CrowdInstance& instance = (*this)[number];

@@ -80,6 +80,7 @@ class CrowdInstances {
   Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
   Result<void> set_palette(std::uint32_t number, std::span<const Matrix3x4> palette);
   Result<void> set_palette(std::uint32_t number, std::span<const double> palette);
+  Result<void> set_dual_quaternions(std::uint32_t number, std::span<const float> dual_quaternions);
   Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
   Result<void> set_vertices(std::uint32_t number, std::span<const Vec3> vertices);
   Result<void> set_offsets(std::uint32_t number, std::span<const Vec3> offsets);
