@@ -1,5 +1,5 @@
-/// The same twisted forearm with linear blend skinning and with dual quaternions; the forearm is
-/// highlighted.
+/// An arm at rest, and with its forearm twisted by nearly half a turn: with linear blend skinning,
+/// and with dual quaternions. Stripes that are straight at rest show the twist.
 
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"
@@ -7,52 +7,97 @@
 #include "scenes/creature.hpp"
 #include "scenes/twisted_arm.hpp"
 
+#include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 namespace pelt::pictures {
 namespace {
 
-constexpr std::string_view kScene = R"({
-  "models": {"c": {"creature": {"triangles": 60000, "joints": 27, "seed": 6}}},
-  "instances": [{"model": "c"}]})";
+constexpr double kTurns = 0.47;
+constexpr int kStripes = 9;
 
-/// Poses the only actor of the cast, moved along x.
-void twist(Actor& actor, const asset::Asset& asset, Skinning skinning, float shift) {
-  const auto model = build_model(asset.mesh(), {.skinning = skinning});
-  if (!model) std::abort();
-  actor.pose = Pose(*model);
-  if (!actor.pose.set_palette(scenes::twisted_arm(asset, 0.47))) std::abort();
-  posed_vertices(actor.pose, actor.posed.positions);
-  for (Vec3& v : actor.posed.positions) v.x += shift;
+Vec3d rest_place(const asset::Asset& asset, std::string_view name) {
+  for (std::uint32_t j = 0; j < asset.joints.size(); ++j)
+    if (asset.joint_name(j) == name) {
+      const auto& m = asset.joints[j].inverse_bind.m;
+      return {-double{m[12]}, -double{m[13]}, -double{m[14]}};
+    }
+  std::abort();
 }
 
-/// Marks the triangles of which all vertices move.
-std::vector<bool> twisted(const asset::Asset& asset, const Actor& actor, float shift) {
-  std::vector<bool> marked;
-  for (const Triangle& triangle : asset.triangles) {
-    bool all = true;
-    for (const std::uint32_t v : triangle) {
-      const Vec3d rest(asset.rest_positions[v]), now(actor.posed.positions[v]);
-      all &= squared_length(now - rest - Vec3d(Vec3{shift, 0, 0})) > 1e-7;
-    }
-    marked.push_back(all);
+Vec3d unit(const Vec3d& v) { return 1 / std::sqrt(squared_length(v)) * v; }
+
+/// Coordinates with the elbow at the origin and the forearm along x.
+class ArmFrame {
+ public:
+  explicit ArmFrame(const asset::Asset& asset)
+      : elbow_(rest_place(asset, "fore_arm_l")),
+        x_(unit(rest_place(asset, "hand_l") - elbow_)),
+        y_(unit(cross(Vec3d(0, 0, 1), x_))),
+        z_(cross(x_, y_)) {}
+
+  Vec3d operator()(const Vec3& p) const {
+    const Vec3d v = Vec3d(p) - elbow_;
+    return {dot(v, x_), dot(v, y_), dot(v, z_)};
   }
-  return marked;
+
+ private:
+  Vec3d elbow_, x_, y_, z_;
+};
+
+/// Whether a place is between the upper arm and the tips of the fingers, without the chest.
+bool is_of_arm(const Vec3d& p) {
+  const double radius = p.x < 0 ? 0.1 : 0.15;
+  return p.x > -0.11 && p.y * p.y + p.z * p.z < radius * radius;
+}
+
+/// The triangles of the arm, and whether each is in a stripe.
+struct Arm {
+  explicit Arm(const asset::Asset& asset) : frame(asset) {
+    for (const Triangle& t : asset.triangles) {
+      Vec3d middle;
+      bool is_inside = true;
+      for (const std::uint32_t v : t) {
+        const Vec3d corner = frame(asset.rest_positions[v]);
+        is_inside &= is_of_arm(corner);
+        middle = middle + corner;
+      }
+      if (!is_inside) continue;
+      triangles.push_back(t);
+      const double turns = std::atan2(middle.y, middle.z) / (2 * 3.14159265358979323846) + 1;
+      in_stripe.push_back(static_cast<int>(turns * 2 * kStripes) % 2 == 0);
+    }
+  }
+
+  ArmFrame frame;
+  std::vector<Triangle> triangles;
+  std::vector<bool> in_stripe;
+};
+
+/// Draws the arm at this height.
+std::string drawn(const asset::Asset& asset, const Arm& arm, Skinning skinning, double turns,
+                  double height) {
+  const auto model = build_model(asset.mesh(), {.skinning = skinning});
+  if (!model) std::abort();
+  Actor actor = {Pose(*model), {"arm", {}, arm.triangles}};
+  if (!actor.pose.set_palette(scenes::twisted_arm(asset, turns))) std::abort();
+  actor.posed.positions.resize(asset.rest_positions.size());
+  posed_vertices(actor.pose, actor.posed.positions);
+  for (Vec3& v : actor.posed.positions) v = to_float(arm.frame(v) + Vec3d(0, height, 0));
+  return painted(actor, paint({0.26F, 0.40F, 0.55F}), arm.in_stripe);
 }
 
 }  // namespace
 
 Picture skinning_picture() {
-  const asset::Asset asset = *scenes::make_creature({60000, 27, 6});
+  const asset::Asset asset = *scenes::make_creature({300000, 27, 6});
+  const Arm arm(asset);
   std::string objects = "#declare Glow = texture {" + paint({0.80F, 0.50F, 0.12F}) + "}\n";
-  for (const bool is_dual : {false, true}) {
-    Cast cast(kScene, 0);
-    const float shift = is_dual ? 0.28f : -0.28f;
-    Actor& actor = cast.actors[0];
-    twist(actor, asset, is_dual ? Skinning::dual_quaternion : Skinning::linear, shift);
-    objects += painted(actor, paint({0.26F, 0.40F, 0.55F}), twisted(asset, actor, shift));
-  }
-  return framed("skinning", {{0.5, 1.25, 3.2}, {0.42, 1.05, 0}, 17, 2.2}, objects);
+  objects += drawn(asset, arm, Skinning::linear, 0, 1.165);
+  objects += drawn(asset, arm, Skinning::linear, kTurns, 1.0);
+  objects += drawn(asset, arm, Skinning::dual_quaternion, kTurns, 0.835);
+  return framed("skinning", {{0.22, 1, 3}, {0.22, 1, 0}, 15.2, 1.6}, objects);
 }
 
 }  // namespace pelt::pictures
