@@ -107,6 +107,7 @@ CASES = [
     ["pair.json", "--frames", "4:5", "--pairs"],
     ["pair.json", "--method", "brute", "--frames", "0:2"],
     ["pair.json", "--method", "paper", "--pairs"],
+    ["pair.json", "--skinning", "dual-quaternion", "--pairs"],
     ["one.json", "--pairs", "--by", "part", "--self"],
     ["clips.json", "--between", "--self", "--pairs"],
     ["apart.json", "--inside", "--between"],

@@ -24,6 +24,7 @@ void visit_arguments(Arguments& of, const Visit& visit) {
   visit("no_unskinned", of.scene.models.no_unskinned);
   visit("exclude", of.scene.models.exclude);
   visit("renormalise", of.scene.models.renormalise);
+  visit("skinning", of.scene.models.skinning);
   visit("samples", of.scene.models.samples);
   visit("frames", of.frames);
   visit("by", of.by);
