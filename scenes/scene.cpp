@@ -47,6 +47,7 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
       return error;
     }
     character->name = model.name;
+    character->skinning = model.skinning;
     scene.characters.push_back(std::move(*character));
   }
   if (const auto known = check_excluded(scene, options); !known) return known.error();
@@ -147,6 +148,10 @@ Result<Scene> read_scene(const std::filesystem::path& path, const asset::GltfOpt
 }
 
 }  // namespace
+
+const char* name_of(Skinning skinning) {
+  return skinning == Skinning::linear ? "linear" : "dual-quaternion";
+}
 
 Result<Scene> load_scene(const std::filesystem::path& path, const asset::GltfOptions& options) {
   return asset::within_memory(path, [&] { return read_scene(path, options); });

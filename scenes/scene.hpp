@@ -4,6 +4,7 @@
 /// tests share this code, so that the same scenes are measured, tested and shown.
 
 #include <pelt/asset.hpp>
+#include <pelt/model.hpp>
 #include <pelt/result.hpp>
 
 #include "scenes/creature.hpp"
@@ -31,7 +32,11 @@ struct Character {
   /// with.
   std::variant<std::filesystem::path, CreatureOptions, FaceOptions> origin = {};
   std::vector<std::uint32_t> buffer_views = {};  ///< of its file, used by meshes and clips
+  std::optional<Skinning> skinning = {};         ///< as the scene says
 };
+
+/// The name of a kind of skinning in scene files and on the command line.
+const char* name_of(Skinning skinning);
 
 /// A fixed weight of a morph target, which overrides the clip.
 struct MorphWeight {

@@ -37,15 +37,37 @@ FaceOptions read_face(const StrictObject& object) {
           object.count("seed", defaults.seed, kAnyCount)};
 }
 
+/// Reads what an object names: a file, a creature or a face.
+std::variant<std::string, CreatureOptions, FaceOptions> read_source(const StrictObject& object) {
+  if (object.has("file")) {
+    for (const char* other : {"creature", "face"})
+      if (object.has(other)) object.refuse(other, "a model is a file or generated, not both");
+    return object.text("file").value_or("");
+  }
+  if (object.has("face") && !object.has("creature"))
+    return read_face(object.object("face", kFaceKeys));
+  object.require("creature");
+  if (object.has("face")) object.refuse("face", "a model is a creature or a face, not both");
+  return read_creature(object.object("creature", kCreatureKeys));
+}
+
+std::optional<Skinning> read_skinning(const StrictObject& object) {
+  constexpr std::string_view kKey = "skinning";
+  const json* value = object.find(kKey);
+  if (value == nullptr) return std::nullopt;
+  if (*value == "linear") return Skinning::linear;
+  if (*value == "dual-quaternion") return Skinning::dual_quaternion;
+  const std::string found =
+      value->is_string() ? asset::quoted(value->get<std::string>()) : kind_of(*value);
+  object.refuse(kKey, "expected \"linear\" or \"dual-quaternion\", found " + found);
+  return std::nullopt;
+}
+
 SceneFile::Model read_model(const std::string& name, const json& value, const std::string& path,
                             Problem& problem) {
   if (value.is_string()) return {name, value.get<std::string>()};
   const StrictObject object(value, path, kModelKeys, problem);
-  if (object.has("face") && !object.has("creature"))
-    return {name, read_face(object.object("face", kFaceKeys))};
-  object.require("creature");
-  if (object.has("face")) object.refuse("face", "a model is a creature or a face, not both");
-  return {name, read_creature(object.object("creature", kCreatureKeys))};
+  return {name, read_source(object), read_skinning(object)};
 }
 
 std::vector<SceneFile::Model> read_models(const StrictObject& file, Problem& problem) {

@@ -16,6 +16,7 @@ struct SceneFile {
     std::string name;
     /// Path of a glTF file, or options of a generated character.
     std::variant<std::string, CreatureOptions, FaceOptions> source;
+    std::optional<Skinning> skinning = {};
   };
 
   std::vector<Model> models;        ///< by name

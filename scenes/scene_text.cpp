@@ -25,7 +25,7 @@ std::vector<std::string> distinct_names(const Scene& scene) {
   return names;
 }
 
-ordered_json model_json(const Character& character, const std::string& path) {
+ordered_json source_json(const Character& character, const std::string& path) {
   if (const auto* creature = std::get_if<CreatureOptions>(&character.origin)) {
     return {{"creature",
              {{"triangles", creature->triangles},
@@ -35,6 +35,14 @@ ordered_json model_json(const Character& character, const std::string& path) {
   if (const auto* face = std::get_if<FaceOptions>(&character.origin))
     return {{"face", {{"triangles", face->triangles}, {"seed", face->seed}}}};
   return path;
+}
+
+ordered_json model_json(const Character& character, const std::string& path) {
+  ordered_json json = source_json(character, path);
+  if (!character.skinning) return json;
+  if (json.is_string()) json = {{"file", path}};
+  json["skinning"] = name_of(*character.skinning);
+  return json;
 }
 
 ordered_json morph_weights_json(std::span<const MorphWeight> weights) {

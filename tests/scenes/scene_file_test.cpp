@@ -64,6 +64,22 @@ TEST(SceneFile, ReadsFacesAndWeightsInTheirOrder) {
   EXPECT_EQ(weights[1].weight, -1.5f);
 }
 
+TEST(SceneFile, ModelsMayChooseTheirSkinning) {
+  const Result<SceneFile> file = parse_scene_file(R"({"models": {
+      "a": {"file": "a.glb", "skinning": "dual-quaternion"},
+      "b": {"file": "b.glb"},
+      "c": "c.glb",
+      "d": {"creature": {"seed": 4}, "skinning": "linear"},
+      "e": {"face": {}, "skinning": "dual-quaternion"}}, "instances": []})");
+  ASSERT_TRUE(file) << file.error().message;
+  const std::optional<Skinning> none, dual = Skinning::dual_quaternion, linear = Skinning::linear;
+  const std::optional<Skinning> expected[] = {dual, none, none, linear, dual};
+  for (std::size_t m = 0; m < 5; ++m) EXPECT_EQ(file->models[m].skinning, expected[m]) << m;
+  EXPECT_EQ(std::get<std::string>(file->models[0].source), "a.glb");
+  EXPECT_EQ(std::get<std::string>(file->models[1].source), "b.glb");
+  EXPECT_EQ(std::get<CreatureOptions>(file->models[3].source).seed, 4u);
+}
+
 struct Refusal {
   const char* text;
   const char* message;  ///< its start
@@ -96,6 +112,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "models.a.creature: unknown key \"triangle\", did you mean \"triangles\"?"},
         Refusal{R"({"models": {"a": {"creature": {}, "face": {}}}, "instances": []})",
                 "models.a.face: a model is a creature or a face, not both"},
+        Refusal{R"({"models": {"a": {"file": "a.glb", "creature": {}}}, "instances": []})",
+                "models.a.creature: a model is a file or generated, not both"},
+        Refusal{R"({"models": {"a": {"file": 3}}, "instances": []})",
+                "models.a.file: expected a string, found a number"},
+        Refusal{R"({"models": {"a": {"skinning": "linear"}}, "instances": []})",
+                "models.a.creature: is missing"},
+        Refusal{R"({"models": {"a": {"face": {}, "skinning": "dual"}}, "instances": []})",
+                "models.a.skinning: expected \"linear\" or \"dual-quaternion\", found \"dual\""},
+        Refusal{
+            R"({"models": {"a": {"file": "a.glb", "skinning": true}}, "instances": []})",
+            "models.a.skinning: expected \"linear\" or \"dual-quaternion\", found true or false"},
         Refusal{R"({"models": {"a": {"face": {"joints": 7}}}, "instances": []})",
                 "models.a.face: unknown key \"joints\", expected one of \"triangles\", \"seed\""},
         Refusal{R"({"models": {"a": "a"}, "frames": 3, "instances": []})",
@@ -198,6 +225,9 @@ TEST(SceneSchema, HasTheKeysOfTheReader) {
   const auto& model = schema["properties"]["models"]["additionalProperties"]["oneOf"][1];
   EXPECT_EQ(keys_of(schema), set_of(kSceneKeys));
   EXPECT_EQ(keys_of(model), set_of(kModelKeys));
+  const auto& skinning = model["properties"]["skinning"];
+  for (const Skinning kind : {Skinning::linear, Skinning::dual_quaternion})
+    EXPECT_EQ(skinning["enum"][static_cast<std::size_t>(kind)], name_of(kind));
   EXPECT_EQ(keys_of(schema["$defs"]["frames"]), set_of(kFramesKeys));
   EXPECT_EQ(keys_of(schema["$defs"]["creature"]), set_of(kCreatureKeys));
   EXPECT_EQ(keys_of(schema["$defs"]["face"]), set_of(kFaceKeys));

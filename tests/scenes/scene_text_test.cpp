@@ -1,5 +1,7 @@
 #include "scenes/scene_text.hpp"
 
+#include "scenes/scene_file.hpp"
+
 #include <gtest/gtest.h>
 
 namespace pelt::scenes {
@@ -71,6 +73,27 @@ TEST(SceneText, HasTheChoicesOfContactsOfCharactersWithThemselves) {
     std::erase(wanted, ' ');
     EXPECT_NE(text.find(wanted + "}"), std::string::npos) << text;
   }
+}
+
+TEST(SceneText, HasTheSkinningOfEachModel) {
+  auto scene = parse_scene(R"({"models": {
+      "a": {"creature": {"triangles": 1000}, "skinning": "dual-quaternion"},
+      "b": {"face": {"triangles": 1000}, "skinning": "linear"},
+      "c": {"face": {"triangles": 1000}}}, "instances": [{"model": "a"}]})",
+                           ".");
+  ASSERT_TRUE(scene) << scene.error().message;
+  const std::vector<std::string> paths = {"", "", "c.glb"};
+  const auto read = parse_scene_file(scene_text(*scene, paths));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->models[0].skinning, Skinning::dual_quaternion);
+  EXPECT_EQ(read->models[1].skinning, Skinning::linear);
+  EXPECT_EQ(read->models[2].skinning, std::nullopt);
+  scene->characters[2].origin = std::filesystem::path("c.glb");
+  scene->characters[2].skinning = Skinning::dual_quaternion;
+  const auto with_file = parse_scene_file(scene_text(*scene, paths));
+  ASSERT_TRUE(with_file) << with_file.error().message;
+  EXPECT_EQ(std::get<std::string>(with_file->models[2].source), "c.glb");
+  EXPECT_EQ(with_file->models[2].skinning, Skinning::dual_quaternion);
 }
 
 TEST(SceneText, LeavesTheNumberOfFramesToTheClips) {

@@ -391,6 +391,34 @@ test('a report of characters that touch themselves agrees, whatever the options'
   }
 });
 
+test('a report agrees whichever way joints are blended', async (t) => {
+  const creature = (seed) => ({ creature: { triangles: 2000, joints: 45, seed } });
+  const dual = { skinning: 'dual-quaternion' };
+  const models = {
+    cairn: { file: 'models/cairn.gltf', ...dual },
+    one: { ...creature(5), ...dual },
+    two: creature(6),
+  };
+  const instances = [
+    { model: 'one', clip: 'walk' },
+    { model: 'two', clip: 'walk', start: 0.4, translation: [0.2, 0, 0.1], rotation: [0, 1, 0, 0] },
+    { model: 'cairn', clip: 'roll', translation: [0.1, 0.9, 0.05] },
+  ];
+  const shop = new Workshop(t, { models, frames: { count: 6, fps: 6 }, instances });
+  const hashes = new Set();
+  for (const words of [[], ['--skinning', 'dual-quaternion'], ['--skinning', 'linear']]) {
+    const answer = shop.check(...words);
+    hashes.add(answer.hash);
+    const page = await openToCount(t, browsing.urlOf(shop.at('report.html')));
+    await agreesWith(page, answer);
+    await page.getByText('Inputs and options').click();
+    if (words.length > 0) await says(page, new RegExp(`skinning\\s*${words[1]}`));
+    assert.deepEqual((await savedScene(page)).models, models);
+    await page.context().close();
+  }
+  assert.equal(hashes.size, 3);
+});
+
 test('a report of limited contacts agrees, and another limit can be chosen', async (t) => {
   const walker = { creature: { triangles: 2000, joints: 45, seed: 5 } };
   const instances = [...SCENE.instances, { model: 'walker', clip: 'walk', translation: [3, 0, 0] }];

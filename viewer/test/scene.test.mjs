@@ -261,6 +261,12 @@ describe('the command with the same numbers', () => {
       { ...together, instances: [first, { ...second, rotation: [0, 1, 0, 0] }] },
       { ...together, instances: [first, { ...second, morphWeights: { smile: 1 } }] },
     ];
+    const source = { file: 'coat.glb', skinning: 'dual-quaternion' };
+    const skinned = [characters[0], { ...characters[1], source }];
+    assert.equal(
+      checkCommand({ ...nothing, scene: together, characters: skinned }).needsFile,
+      true,
+    );
     for (const scene of others) {
       const readingOptions = { renormalise: true, exclude: ['hat'] };
       const asking = { ...nothing, scene, characters, readingOptions, maxContacts: 1 };
@@ -272,6 +278,9 @@ describe('the command with the same numbers', () => {
       assert.match(words, /^pelt check scene\.json --max-contacts 12 --clearance 0\.02 /);
       const timed = checkCommand({ ...asking, maxContacts: null, budget: 500, between: true });
       assert.match(timed.words, /^pelt check scene\.json --budget 500 --between /);
+      const dual = { skinning: 'dual-quaternion' };
+      const { words: skinned } = checkCommand({ ...asking, readingOptions: dual });
+      assert.equal(skinned, 'pelt check scene.json --first --skinning dual-quaternion');
     }
   });
 });
@@ -411,6 +420,22 @@ describe('files of a scene', () => {
     const model = path.replace('scenes/a.json', 'models/');
     assert.equal(new TextDecoder().decode(files.get(`${model}its data/coat.bin`)), 'right');
     assert.ok(files.has(`${model}coat.gltf`));
+  });
+
+  test('are found in models with options', async () => {
+    const { filesOfScene } = await load('worker/find_files.ts');
+    const models = { coat: { file: 'coat.glb', skinning: 'linear' }, odd: { file: 3 }, none: null };
+    const { files } = filesOfScene('a.json', [file('a.json', named(models)[0]), file('coat.glb')]);
+    assert.deepEqual([...files.keys()], ['a.json', 'coat.glb']);
+  });
+
+  test('keep their options under another name', async () => {
+    const { fileOf, withFile } = await load('scene/scene.ts');
+    const dual = { file: 'coat.glb', skinning: 'dual-quaternion' };
+    const made = { creature: { triangles: 1000, joints: 20, seed: 1 }, skinning: 'linear' };
+    assert.deepEqual(['hat.glb', dual, made].map(fileOf), ['hat.glb', 'coat.glb', null]);
+    assert.equal(withFile('hat.glb', 'b.glb'), 'b.glb');
+    assert.deepEqual(withFile(dual, 'b.glb'), { ...dual, file: 'b.glb' });
   });
 
   test('or else by their names, where only one has it', async () => {

@@ -40,7 +40,7 @@ Result<SkinnedModel> build(const asset::Asset& asset, const SkinnedMeshView& mes
       scenes::clip_samples(asset, preparation.clips, preparation.samples);
   ModelOptions options;
   if (preparation.renormalise) options.off_weights = OffWeights::renormalise;
-  if (preparation.is_dual) options.skinning = Skinning::dual_quaternion;
+  options.skinning = preparation.skinning.value_or(Skinning::linear);
   options.sample_palettes = samples;
   Result<SkinnedModel> model = build_model(mesh, options);
   if (model || samples.empty()) return model;
@@ -173,11 +173,12 @@ asset::SampleScratch& sample_scratch() {
   return scratch;
 }
 
-Result<CharacterHandle> prepare(scenes::Character read, const Preparation& preparation) {
+Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation) {
+  if (!preparation.skinning) preparation.skinning = read.skinning;
   Result<SkinnedModel> model = build(read.asset, read.asset.mesh(), preparation);
   if (!model) return in_words_of_javascript(read.source, model.error());
   return CharacterHandle{std::make_shared<Character>(
-      Character{std::move(read), preparation, {std::move(*model), 0, {}}, {}, {}})};
+      Character{std::move(read), std::move(preparation), {std::move(*model), 0, {}}, {}, {}})};
 }
 
 PELT_EXPORT std::uint32_t pelt_read_character(const std::byte* file, std::uint32_t size,

@@ -22,7 +22,7 @@ struct Preparation {
   std::vector<const asset::Clip*> clips;  ///< sources of sample poses
   std::uint32_t samples = 6;
   bool renormalise = false;
-  bool is_dual = false;  ///< dual quaternion skinning
+  std::optional<Skinning> skinning;  ///< nothing: as the scene says, or linear
 };
 
 /// A character, or one part of it, prepared for queries.
@@ -57,7 +57,7 @@ struct CharacterHandle {
 };
 
 /// Prepares a character like `pelt check`. Error messages start with the character's source.
-Result<CharacterHandle> prepare(scenes::Character read, const Preparation& preparation);
+Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation);
 
 struct PoseHandle {
   PoseHandle(std::shared_ptr<Character> owner, Body& posed)

@@ -50,7 +50,8 @@ Preparation Options::preparation() const {
   Preparation preparation;
   preparation.samples = count("samples", preparation.samples);
   preparation.renormalise = flag("renormalise");
-  preparation.is_dual = text("skinning") == "dual-quaternion";
+  for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion})
+    if (text("skinning") == scenes::name_of(skinning)) preparation.skinning = skinning;
   return preparation;
 }
 

@@ -17,7 +17,21 @@ TEST(BuildNamedModel, PassesOverSamplesThatAModelCannotTake) {
   ModelOptions options;
   options.sample_palettes = far;
   ASSERT_FALSE(build_model(mesh, options));
-  EXPECT_TRUE(build_named_model("a.glb", mesh, {}, far));
+  const scenes::Character character = {"a", "a.glb", 0, {}};
+  EXPECT_TRUE(build_named_model(character, mesh, {}, far));
+}
+
+TEST(SkinningOf, IsTheOptionOrElseTheScene) {
+  ModelArguments arguments;
+  scenes::Character character = {"a", "a.glb", 0, {}};
+  EXPECT_EQ(arguments.skinning_of(character), Skinning::linear);
+  character.skinning = Skinning::dual_quaternion;
+  EXPECT_EQ(arguments.skinning_of(character), Skinning::dual_quaternion);
+  arguments.skinning = "linear";
+  EXPECT_EQ(arguments.skinning_of(character), Skinning::linear);
+  arguments.skinning = "dual-quaternion";
+  character.skinning = Skinning::linear;
+  EXPECT_EQ(arguments.skinning_of(character), Skinning::dual_quaternion);
 }
 
 }  // namespace

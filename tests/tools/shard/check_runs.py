@@ -83,6 +83,9 @@ def write_scenes(folder):
     folder = pathlib.Path(folder)
     (folder / "limb.glb").write_bytes(limb())
     (folder / "pair.json").write_text(scene([("bend", 0, 0), ("bend", .3, .7)]))
+    dual = '{"a": {"file": "limb.glb", "skinning": "dual-quaternion"}}'
+    (folder / "dual.json").write_text(
+        scene([("bend", 0, 0), ("bend", .3, .7)]).replace('{"a": "limb.glb"}', dual))
     (folder / "one.json").write_text(scene([("bend", 0, 0)]))
     (folder / "apart.json").write_text(scene([("bend", 0, 0), ("bend", 0, 9)]))
     (folder / "clips.json").write_text(scene([("*", 0, 0), ("bend", .2, .7)], '"fps": 4'))
@@ -108,6 +111,7 @@ CASES = [
     ["pair.json", "--method", "brute", "--frames", "0:2"],
     ["pair.json", "--method", "paper", "--pairs"],
     ["pair.json", "--skinning", "dual-quaternion", "--pairs"],
+    ["dual.json", "--between", "--pairs"],
     ["one.json", "--pairs", "--by", "part", "--self"],
     ["clips.json", "--between", "--self", "--pairs"],
     ["apart.json", "--inside", "--between"],

@@ -14,10 +14,10 @@ bool is_named_as_gltf(const std::filesystem::path& path) {
   return path.extension() == ".glb" || path.extension() == ".gltf";
 }
 
-ModelOptions options_of(const ModelArguments& arguments) {
+ModelOptions options_of(const scenes::Character& character, const ModelArguments& arguments) {
   ModelOptions options;
   if (arguments.renormalise) options.off_weights = OffWeights::renormalise;
-  if (arguments.is_dual()) options.skinning = Skinning::dual_quaternion;
+  options.skinning = arguments.skinning_of(character);
   return options;
 }
 
@@ -31,6 +31,12 @@ Error named_error(const std::string& source, const Error& error) {
 }
 
 }  // namespace
+
+Skinning ModelArguments::skinning_of(const scenes::Character& character) const {
+  if (skinning.empty()) return character.skinning.value_or(Skinning::linear);
+  return skinning == scenes::name_of(Skinning::linear) ? Skinning::linear
+                                                       : Skinning::dual_quaternion;
+}
 
 asset::GltfOptions ModelArguments::gltf_options() const {
   asset::GltfOptions options;
@@ -48,10 +54,9 @@ void add_model_options(Verb& verb, ModelArguments& arguments) {
               {.type = "NAME"});
   verb.flag("--renormalise", arguments.renormalise,
             "Accept weights that do not sum to 1, and divide them by their sum, as renderers do");
-  verb.choice(
-      "--skinning", arguments.skinning, "dual-quaternion|linear",
-      "How joints are blended, which files do not say: linear, or by dual quaternions, which "
-      "need joints without scale. Does not apply to prepared models");
+  verb.choice("--skinning", arguments.skinning, "dual-quaternion|linear",
+              "How joints are blended, which models do not say, but scenes may: linear, or by dual "
+              "quaternions, which need joints without scale. Does not apply to prepared models");
   verb.option(
       "--samples", arguments.samples,
       "Number of sample poses, taken from clips, that a character is optimised for; 0 makes "
@@ -71,29 +76,31 @@ Result<scenes::Character> load_named_character(const std::string& path,
   return output::bad_argument(path, "is not a model", std::string("give ") + kinds);
 }
 
-Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
-                                       const ModelArguments& arguments,
+Result<SkinnedModel> build_named_model(const scenes::Character& character,
+                                       const SkinnedMeshView& mesh, const ModelArguments& arguments,
                                        std::span<const Matrix4> sample_palettes) {
-  ModelOptions options = options_of(arguments);
+  ModelOptions options = options_of(character, arguments);
   options.sample_palettes = sample_palettes;
   Result<SkinnedModel> model =
-      asset::within_memory(source, [&] { return build_model(mesh, options); });
+      asset::within_memory(character.source, [&] { return build_model(mesh, options); });
   if (!model && model.error().code == ErrorCode::unreadable_file) return model;
-  if (!model && !sample_palettes.empty()) return build_named_model(source, mesh, arguments);
+  if (!model && !sample_palettes.empty()) return build_named_model(character, mesh, arguments);
   if (model) return model;
-  return named_error(source, model.error());
+  return named_error(character.source, model.error());
 }
 
-Result<detail::Palette> make_named_palette(const std::string& source, const SkinnedMeshView& mesh,
+Result<detail::Palette> make_named_palette(const scenes::Character& character,
+                                           const SkinnedMeshView& mesh,
                                            const ModelArguments& arguments) {
   BuildReport report;
-  const auto checked = asset::within_memory(
-      source, [&] { return detail::make_skinned_mesh(mesh, options_of(arguments), report); });
+  const auto checked = asset::within_memory(character.source, [&] {
+    return detail::make_skinned_mesh(mesh, options_of(character, arguments), report);
+  });
   if (checked)
     return detail::Palette(checked->joint_count, checked->rest_extent, checked->morph_extents,
                            checked->dual_influences);
   if (checked.error().code == ErrorCode::unreadable_file) return checked.error();
-  return named_error(source, checked.error());
+  return named_error(character.source, checked.error());
 }
 
 }  // namespace pelt::tools::arguments

@@ -20,9 +20,10 @@ struct ModelArguments {
   std::vector<std::string> exclude;
   bool renormalise = false;
   std::uint32_t samples = 6;  ///< sample poses for optimising the bounds
-  std::string skinning = "linear";
+  std::string skinning;       ///< empty: as the scene says, or linear
 
-  bool is_dual() const { return skinning == "dual-quaternion"; }
+  /// The kind of skinning with which the model of a character is built.
+  Skinning skinning_of(const scenes::Character& character) const;
 
   asset::GltfOptions gltf_options() const;
 };
@@ -34,16 +35,18 @@ Result<scenes::Character> load_named_character(const std::string& path,
                                                const asset::GltfOptions& options,
                                                const char* kinds);
 
-/// build_model with messages for the command: the message names `source`, and the remedy is an
-/// option of the command. Skips sample poses that are not valid for the model, because a clip may
-/// be invalid at times that no frame uses.
-Result<SkinnedModel> build_named_model(const std::string& source, const SkinnedMeshView& mesh,
-                                       const ModelArguments& arguments,
+/// build_model of the mesh of a character, or of one of its parts, with messages for the command:
+/// the message names the source of the character, and the remedy is an option of the command. Skips
+/// sample poses that are not valid for the model, because a clip may be invalid at times that no
+/// frame uses.
+Result<SkinnedModel> build_named_model(const scenes::Character& character,
+                                       const SkinnedMeshView& mesh, const ModelArguments& arguments,
                                        std::span<const Matrix4> sample_palettes = {});
 
 /// Validates a mesh without building a model, and returns its palette in the rest pose. Returns the
 /// errors of build_named_model.
-Result<detail::Palette> make_named_palette(const std::string& source, const SkinnedMeshView& mesh,
+Result<detail::Palette> make_named_palette(const scenes::Character& character,
+                                           const SkinnedMeshView& mesh,
                                            const ModelArguments& arguments);
 
 }  // namespace pelt::tools::arguments

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace pelt::tools::check {
 namespace {
 
@@ -18,6 +20,15 @@ ordered_json self_json(const SelfChoice& self) {
                          {"near_joints", kept_or_dropped(self.rules.drops_near_joints)}};
   if (self.rules.always) object["always"] = *self.rules.always;
   return object;
+}
+
+/// The kind of skinning of all models, or of each model if they differ.
+ordered_json skinning_json(const std::map<std::string, std::string>& skinning) {
+  if (skinning.empty()) return scenes::name_of(Skinning::linear);
+  const std::string& first = skinning.begin()->second;
+  const bool differ = std::any_of(skinning.begin(), skinning.end(),
+                                  [&](const auto& model) { return model.second != first; });
+  return differ ? ordered_json(skinning) : ordered_json(first);
 }
 
 }  // namespace
@@ -39,7 +50,7 @@ nlohmann::ordered_json question_json(const CheckQuestion& question) {
       {"exclude", question.exclude},
       {"no_unskinned", question.no_unskinned},
       {"renormalise", question.renormalise},
-      {"skinning", question.skinning}};
+      {"skinning", skinning_json(question.skinning)}};
   for (const scenes::NamePair& pair : question.ignore) json["ignore"].push_back({pair.a, pair.b});
   if (!question.clips.empty()) json["clips"] = question.clips;
   if (question.clearance) json["clearance"] = *question.clearance;

@@ -9,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ struct CheckQuestion {
   std::vector<scenes::NamePair> ignore;
   std::vector<std::string> exclude;
   bool no_unskinned = false, renormalise = false;
-  std::string skinning = "linear";
+  std::map<std::string, std::string> skinning;  ///< by models
 };
 
 /// "options" of the header of `pelt check --jsonl`.

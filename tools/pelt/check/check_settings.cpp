@@ -22,7 +22,8 @@ CheckQuestion question_of(const CheckSettings& settings, const scenes::Scene& sc
   question.exclude = models.exclude;
   question.no_unskinned = models.no_unskinned;
   question.renormalise = models.renormalise;
-  question.skinning = models.skinning;
+  for (const scenes::Character& character : scene.characters)
+    question.skinning[character.name] = scenes::name_of(models.skinning_of(character));
   return question;
 }
 

@@ -71,10 +71,12 @@ ordered_json inputs_json(const scenes::Scene& scene, const CharacterFiles& files
 }
 
 ordered_json reading_json(const arguments::ModelArguments& models) {
-  return {{"renormalise", models.renormalise},
-          {"noUnskinned", models.no_unskinned},
-          {"exclude", models.exclude},
-          {"samples", models.samples}};
+  ordered_json json = {{"renormalise", models.renormalise},
+                       {"noUnskinned", models.no_unskinned},
+                       {"exclude", models.exclude},
+                       {"samples", models.samples}};
+  if (!models.skinning.empty()) json["skinning"] = models.skinning;  // else the scene says it
+  return json;
 }
 
 /// The clips that are played one after the other, with their frames; null if there are none.

@@ -31,7 +31,7 @@ class Prototypes {
   /// Validates the whole mesh first, so that messages number vertices and triangles as the file
   /// does.
   Result<std::vector<Collider>> parts() const {
-    const auto palette = arguments::make_named_palette(character_.source, mesh_, arguments_);
+    const auto palette = arguments::make_named_palette(character_, mesh_, arguments_);
     if (!palette) return palette.error();
     const auto shared = std::make_shared<const detail::Palette>(*palette);
     std::vector<Collider> colliders;
@@ -56,7 +56,7 @@ class Prototypes {
   }
 
   Result<SkinnedModel> build(const SkinnedMeshView& mesh, std::span<const Matrix4> samples) const {
-    return arguments::build_named_model(character_.source, mesh, arguments_, samples);
+    return arguments::build_named_model(character_, mesh, arguments_, samples);
   }
 
   /// The sample poses of these joints.

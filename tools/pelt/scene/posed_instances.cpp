@@ -31,7 +31,7 @@ Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
   std::vector<SkinnedModel> models;
   for (const scenes::Character& character : scene.characters) {
     Result<SkinnedModel> model =
-        arguments::build_named_model(character.source, character.asset.mesh(), arguments);
+        arguments::build_named_model(character, character.asset.mesh(), arguments);
     if (!model) return model.error();
     models.push_back(std::move(*model));
   }

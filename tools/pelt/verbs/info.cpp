@@ -216,7 +216,7 @@ Result<arguments::ExitCode> info(const Arguments& arguments) {
   const asset::Asset& asset = character->asset;
   const std::uint32_t samples = arguments.models.samples;
   const Result<SkinnedModel> model = arguments::build_named_model(
-      character->source, asset.mesh(), arguments.models,
+      *character, asset.mesh(), arguments.models,
       scenes::clip_samples(asset, scenes::first_clips(asset, samples), samples));
   if (!model) return model.error();
   const ordered_json description = describe(*character, *model);

@@ -72,9 +72,8 @@ Result<Prepared> build(const scenes::Character& character,
   const std::vector<Matrix4> samples =
       scenes::clip_samples(asset, scenes::first_clips(asset, arguments.samples), arguments.samples);
   Result<SkinnedModel> model = Error{};
-  const double build_ms = milliseconds([&] {
-    model = arguments::build_named_model(character.source, asset.mesh(), arguments, samples);
-  });
+  const double build_ms = milliseconds(
+      [&] { model = arguments::build_named_model(character, asset.mesh(), arguments, samples); });
   if (!model) return model.error();
   return Prepared{*model, samples.size() / asset.joints.size(), build_ms};
 }

@@ -2,6 +2,7 @@
 
 import { filesWithClip, reelOf, worstClip } from '../report/clips';
 import { budgetOf, clearanceOf, limitOf, originalPath, type Report } from '../report/report';
+import { fileOf, withFile } from '../scene/scene';
 import * as changes from '../state/changes';
 import * as edits from '../state/edits';
 import type { Problem, State } from '../state/state';
@@ -164,10 +165,10 @@ function pathsOf(files: readonly Pick<DroppedFile, 'path'>[]): string {
  * from.
  */
 function asReported(opened: Opened, report: Report): Opened {
-  const characters = opened.characters.map((facts) =>
-    typeof facts.source === 'string'
-      ? { ...facts, source: originalPath(report, facts.source) }
-      : facts,
-  );
+  const characters = opened.characters.map((facts) => {
+    const file = fileOf(facts.source);
+    if (file === null) return facts;
+    return { ...facts, source: withFile(facts.source, originalPath(report, file)) };
+  });
   return { ...opened, characters, scene: opened.scene && { ...opened.scene, name: report.title } };
 }

@@ -176,6 +176,7 @@ function optionsOf({ reading, made, pelt }: Report, { options, verdict }: Report
   for (const pair of options.ignore) rows.push(['ignore', pair.join(', ')]);
   for (const note of verdict.notes ?? []) rows.push(['baseline', note]);
   if (reading.renormalise) rows.push(['renormalise', 'weights divided by their sum']);
+  if (reading.skinning) rows.push(['skinning', reading.skinning]);
   if (reading.noUnskinned) rows.push(['no-unskinned', 'meshes without a skin left out']);
   for (const node of reading.exclude ?? []) rows.push(['exclude', node]);
   return rows;

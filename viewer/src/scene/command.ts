@@ -72,7 +72,7 @@ function modelWords({ scene: { instances }, characters }: Asking): string[] {
 
 function optionWords(asking: Asking): string[] {
   const { by, maxContacts, clearance, budget, between, frames, readingOptions } = asking;
-  const { renormalise, noUnskinned, exclude = [] } = readingOptions;
+  const { renormalise, noUnskinned, exclude = [], skinning } = readingOptions;
   return [
     ...(by === 'part' ? ['--by', 'part'] : []),
     ...(frames ? ['--frames', frames.join(':')] : []),
@@ -82,6 +82,7 @@ function optionWords(asking: Asking): string[] {
     ...selfWords(asking),
     ...(between ? ['--between'] : []),
     ...(renormalise ? ['--renormalise'] : []),
+    ...(skinning ? ['--skinning', skinning] : []),
     ...(noUnskinned ? ['--no-unskinned'] : []),
     ...exclude.flatMap((node) => ['--exclude', node]),
   ];

@@ -8,9 +8,25 @@ export type { Instance };
 export type Vector3 = [number, number, number];
 export type Quaternion = [number, number, number, number];
 
+/** How the joints of a vertex are blended. */
+export type Skinning = 'linear' | 'dual-quaternion';
+
 /** A model of a scene file: the path of a file, or options to generate it. */
 export type ModelSource =
-  string | { creature: { triangles: number; joints: number; seed: number } };
+  | string
+  | { file: string; skinning?: Skinning }
+  | { creature: { triangles: number; joints: number; seed: number }; skinning?: Skinning };
+
+/** The path of a file, unless the model is generated. */
+export function fileOf(source: ModelSource): string | null {
+  if (typeof source === 'string') return source;
+  return 'file' in source ? source.file : null;
+}
+
+/** The same model from another file. */
+export function withFile(source: ModelSource, file: string): ModelSource {
+  return typeof source === 'string' ? file : { ...source, file };
+}
 
 export interface Scene {
   name: string;

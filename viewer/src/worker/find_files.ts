@@ -22,7 +22,7 @@ export function filesOfScene(path: string, files: readonly NamedFile[]): SceneFi
   const scene = files.find((file) => file.path === path);
   if (!scene) throw new Error(`${path} is not among the files`);
   const models = Object.values((jsonIn(scene.bytes) as SceneNames | null)?.models ?? {});
-  const named = models.filter((model) => typeof model === 'string');
+  const named = models.map(fileIn).filter((name) => name !== null);
   const folder = deepEnough(path, named) + folderOf(path);
   const found = new Map([[folder + nameOf(path), scene.bytes]]);
   for (const name of named) {
@@ -34,6 +34,13 @@ export function filesOfScene(path: string, files: readonly NamedFile[]): SceneFi
       found.set(joined(folderOf(place), uri), bytes);
   }
   return { path: folder + nameOf(path), files: found };
+}
+
+/** The file of a model, which may be anything: the engine validates the scene. */
+function fileIn(model: unknown): string | null {
+  if (typeof model === 'string') return model;
+  const file = typeof model === 'object' && model !== null && 'file' in model ? model.file : null;
+  return typeof file === 'string' ? file : null;
 }
 
 /** The files that a .gltf file names, by the names that it gives them. */

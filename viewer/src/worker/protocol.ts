@@ -4,7 +4,7 @@
  */
 
 import type { Box, Clip, LeftOut } from 'pelt';
-import type { ModelSource, Scene } from '../scene/scene';
+import type { ModelSource, Scene, Skinning } from '../scene/scene';
 import type { SelfChoices } from '../scene/self';
 
 export interface NamedFile {
@@ -24,6 +24,8 @@ export interface ReadingOptions {
   noUnskinned?: boolean;
   exclude?: string[];
   samples?: number;
+  /** Of all models. Absent: as the scene says. */
+  skinning?: Skinning;
 }
 
 /** What is tested: instances against each other, or parts, including parts of the same instance. */
