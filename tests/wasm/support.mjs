@@ -41,8 +41,9 @@ export function jsonLines(...args) {
 const inCamelCase = (name) => name.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
 
 /** Contacts, hash and work of all frames, from `pelt check`. */
-export function nativeTotals(scene, frames) {
-  const { totals, hash, counters } = jsonLines('check', scene, '--frames', frames).at(-1);
+export function nativeTotals(scene, frames, ...options) {
+  const lines = jsonLines('check', scene, '--frames', frames, ...options);
+  const { totals, hash, counters } = lines.at(-1);
   const work = Object.entries(counters).map(([name, count]) => [inCamelCase(name), count]);
   return { contacts: totals.contacts, hash, work: Object.fromEntries(work) };
 }

@@ -27,10 +27,12 @@ export function readOptions(memory, options, rules) {
   return options === undefined ? {} : readObject(memory, options, rules);
 }
 
+const skinning = (value, name) => check.oneOf(value, ['linear', 'dual-quaternion'], name);
+
 export const kModelRules = {
   meshoptDecode: check.callable,
   renormalise: check.flag,
-  skinning: (value, name) => check.oneOf(value, ['linear', 'dual-quaternion'], name),
+  skinning,
   noUnskinned: check.flag,
   exclude: check.texts,
   samples: check.count,
@@ -42,6 +44,7 @@ export const kFaceRules = {
   name: check.text,
   clips: check.texts,
   samples: check.count,
+  skinning,
   triangles: check.count,
   seed: check.count,
 };

@@ -28,8 +28,9 @@ export interface ModelOptions {
   /** Accept weights that do not sum to 1, and divide them by their sum, as renderers do. */
   renormalise?: boolean;
   /**
-   * How the joints of a vertex are blended, which files do not say. Default 'linear'. Dual quaternions
-   * move every vertex rigidly, so that twisted limbs do not collapse; joints must have no scale.
+   * How the joints of a vertex are blended. Model files do not say it. Default: as the scene file
+   * says, or 'linear'. Dual quaternions move every vertex rigidly, so that twisted limbs do not
+   * collapse; joints must have no scale.
    */
   skinning?: 'linear' | 'dual-quaternion';
   /** Leave out meshes without a skin (weapons, armour). */
@@ -55,6 +56,7 @@ export interface CreatureOptions {
   name?: string; // "creature"
   clips?: readonly string[]; // as in ReadOptions
   samples?: number; // as in ReadOptions
+  skinning?: 'linear' | 'dual-quaternion'; // as in ModelOptions
   triangles?: number; // 1,000 to 1,000,000; default 13,590
   joints?: number; // 20 to 64; default 56
   seed?: number; // proportions; default 1
@@ -64,6 +66,7 @@ export interface FaceOptions {
   name?: string; // "face"
   clips?: readonly string[]; // as in ReadOptions
   samples?: number; // as in ReadOptions
+  skinning?: 'linear' | 'dual-quaternion'; // as in ModelOptions
   triangles?: number; // 1,000 to 200,000; default 4,000
   seed?: number; // default 1
 }

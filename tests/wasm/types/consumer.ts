@@ -112,8 +112,15 @@ const creatureOptions: CreatureOptions = {
   triangles: 2000,
   joints: 30,
   seed: 2,
+  skinning: 'linear',
 };
-const faceOptions: FaceOptions = { name: 'face', clips: ['talk'], triangles: 1000, seed: 2 };
+const faceOptions: FaceOptions = {
+  name: 'face',
+  clips: ['talk'],
+  triangles: 1000,
+  seed: 2,
+  skinning: 'dual-quaternion',
+};
 
 function readMissing(pelt: Pelt): ErrorCode {
   const files: Files = { 'a.bin': new Uint8Array(3) };
