@@ -1,7 +1,8 @@
 #pragma once
 
-/// Inside and outside of closed surfaces: whether a point lies inside a body, how deep one body is
-/// inside another, and whether one body contains another. Only closed surfaces
+/// Inside and outside of closed surfaces: whether a point lies inside a body and how often the
+/// surface encloses it, how deep one body is inside another, and whether one body contains another.
+/// Only closed surfaces
 /// (`Surface::is_closed`) have an inside. A point is inside if the winding number of the posed
 /// surface around the point is not 0. Decisions are exact on the float32 posed vertices.
 
@@ -35,6 +36,15 @@ enum class PointSide : std::uint8_t {
 /// casts one ray.
 PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                             PointSide& result);
+
+/// Writes the winding number of the posed surface around a point: how often the surface encloses
+/// the point. 0 outside, 1 inside a body whose triangles are counter-clockwise seen from outside, 2
+/// or more where the body overlaps itself, and negative where the surface is inside out. A point on
+/// the surface has no winding number; the result is then 0, and `side_of` tells the two apart.
+///
+/// Preconditions and cost: as for `side_of`.
+PELT_API QueryStats winding_number(Pose& pose, const Surface& surface, const Vec3& point,
+                                   Scratch& scratch, std::int32_t& result);
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 

@@ -23,26 +23,53 @@
 #include "ray/ray_descent.hpp"
 
 namespace pelt {
+namespace {
+
+/// Where a point is with respect to a surface.
+struct Location {
+  bool is_on = false;
+  int winding = 0;  // 0 on the surface
+};
+
+QueryStats locate(Pose& pose, const Vec3& point, Scratch& scratch, Location& result) {
+  const detail::PosedTree posed = pose.detail().posed_tree();
+  QueryStats work;
+  work.node_pairs = 1;
+  result = {};
+  if (!contains(detail::root_box(posed, work), point)) return work;
+  const YesNo is_on = intersects(pose, Box{point, point}, scratch);
+  work += is_on;
+  result.is_on = static_cast<bool>(is_on);
+  if (!is_on)
+    work += detail::winding_number(posed, point, detail::kGenericDirection, result.winding);
+  return work;
+}
+
+}  // namespace
+
 QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
                    PointSide& result) {
   detail::require(detail::is_surface_of(surface, pose),
                   "side_of: the surface belongs to another model than the pose");
   detail::require(surface.is_closed(), "side_of: the surface is not closed");
   detail::require(detail::is_finite(point), "side_of: the point is NaN or infinite");
-  const detail::PosedTree posed = pose.detail().posed_tree();
-  QueryStats work;
-  work.node_pairs = 1;
-  result = PointSide::outside;
-  if (!contains(detail::root_box(posed, work), point)) return work;
-  const YesNo is_on = intersects(pose, Box{point, point}, scratch);
-  work += is_on;
-  if (is_on) {
-    result = PointSide::on;
-    return work;
-  }
-  int winding = 0;
-  work += detail::winding_number(posed, point, detail::kGenericDirection, winding);
-  if (winding != 0) result = PointSide::inside;
+  Location location;
+  const QueryStats work = locate(pose, point, scratch, location);
+  result = location.is_on          ? PointSide::on
+           : location.winding != 0 ? PointSide::inside
+                                   : PointSide::outside;
+  return work;
+}
+
+QueryStats winding_number(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
+                          std::int32_t& result) {
+  detail::require(detail::is_surface_of(surface, pose),
+                  "winding_number: the surface belongs to another model than the pose");
+  detail::require(surface.is_closed(), "winding_number: the surface is not closed");
+  detail::require(detail::is_finite(point), "winding_number: the point is NaN or infinite");
+  Location location;
+  const QueryStats work = locate(pose, point, scratch, location);
+  result = location.winding;
   return work;
 }
 

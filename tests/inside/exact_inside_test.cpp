@@ -1,4 +1,5 @@
-/// side_of against integer arithmetic, on closed surfaces that are as degenerate as possible.
+/// side_of and winding_number against integer arithmetic, on closed surfaces that are as degenerate
+/// as possible.
 
 #include <pelt/inside.hpp>
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <optional>
 #include <vector>
 
 namespace pelt::test {
@@ -37,8 +39,18 @@ class Body {
 
   PointSide side_of(const Vec3& point) { return point_side(pose_, surface_, point, scratch_); }
 
+  std::int32_t winding_number(const Vec3& point) {
+    std::int32_t result = 77;
+    pelt::winding_number(pose_, surface_, point, scratch_, result);
+    return result;
+  }
+
   PointSide expected(const Vec3& point) const {
     return ExactWinding(positions_, triangles_).side_of(point);
+  }
+
+  std::optional<int> expected_winding(const Vec3& point) const {
+    return ExactWinding(positions_, triangles_).winding_number(point);
   }
 
  private:
@@ -137,6 +149,7 @@ Vec3 question(Random& random, Numbers numbers, const std::vector<Vec3>& posed) {
 
 struct Counts {
   int on = 0, inside = 0, outside = 0;
+  int several = 0;  // enclosed more than once, or inside out
 };
 
 Counts compare(Random& random, Body& body, std::uint32_t vertex_count, Numbers numbers,
@@ -150,8 +163,13 @@ Counts compare(Random& random, Body& body, std::uint32_t vertex_count, Numbers n
     body.set(positions);
     for (int j = 0; j < 5; ++j) {
       const Vec3 point = question(random, numbers, positions);
-      const PointSide expected = body.expected(point);
+      const std::optional<int> winding = body.expected_winding(point);
+      const PointSide expected = !winding        ? PointSide::on
+                                 : *winding != 0 ? PointSide::inside
+                                                 : PointSide::outside;
       EXPECT_EQ(body.side_of(point), expected) << point.x << ' ' << point.y << ' ' << point.z;
+      EXPECT_EQ(body.winding_number(point), winding.value_or(0));
+      counts.several += winding && (*winding < 0 || *winding > 1);
       counts.on += expected == PointSide::on;
       counts.inside += expected == PointSide::inside;
       counts.outside += expected == PointSide::outside;
@@ -170,6 +188,7 @@ void compare_all(const std::vector<Triangle>& triangles, std::uint32_t vertex_co
     EXPECT_GT(counts.on, rounds / 20);
     EXPECT_GT(counts.outside, rounds / 2);
     EXPECT_GT(counts.inside, rounds / 20);
+    EXPECT_GT(counts.several, rounds / 40);
   }
 }
 

@@ -1,4 +1,4 @@
-"""pelt.side_of, pelt.vertices_inside and pelt.deepest_vertex."""
+"""pelt.side_of, pelt.winding_numbers, pelt.vertices_inside and pelt.deepest_vertex."""
 
 import unittest
 
@@ -13,6 +13,19 @@ class Cubes(Case):
         sides = pelt.side_of(box_model(), moved([0, 0, 0], [5, 0, 0]),
                              [[0, 0, 0], [1, 0.5, 0], [3, 0, 0], [5, 0, 0]])
         self.assertEqual(sides.tolist(), [[1, 0, -1, -1], [-1, -1, -1, 1]])
+
+    def test_winding_numbers(self):
+        rest, faces = box()
+        # One cube inside another one, and one that is inside out.
+        model = pelt.Model(np.concatenate([2 * rest, rest, rest + [9, 0, 0]]),
+                           np.concatenate([faces, faces + 8, faces[:, ::-1] + 16]))
+        points = [[0, 0, 0], [1.5, 0, 0], [3, 0, 0], [9, 0, 0], [2, 0, 0]]
+        found = pelt.winding_numbers(model, moved([0, 0, 0], [3, 0, 0]), points)
+        self.assertEqual(found.tolist(), [[2, 1, 0, -1, 0], [0, 1, 2, 0, 0]])
+        self.assertEqual(found.dtype, np.int32)
+        sides = pelt.side_of(model, moved([0, 0, 0], [3, 0, 0]), points)
+        self.assertEqual(sides.tolist(), [[1, 1, -1, 1, 0], [-1, 1, 1, -1, 0]])
+        self.refuses("points: row 0", pelt.winding_numbers, model, moved([0, 0, 0]), [[0, 0, np.nan]])
 
     def test_vertices_inside(self):
         inside = pelt.vertices_inside(box_model(), moved([0, 0, 0], [1.5, 1.5, 1.5], [9, 0, 0]),
@@ -33,6 +46,8 @@ class Cubes(Case):
         opened, here = pelt.Model(rest, faces[1:]), moved([0, 0, 0])
         self.refuses("poses: the surface of the model is not closed", pelt.side_of, opened, here,
                      [[0, 0, 0]])
+        self.refuses("poses: the surface of the model is not closed", pelt.winding_numbers, opened,
+                     here, [[0, 0, 0]])
         self.refuses("poses_b", pelt.vertices_inside, box_model(), here, opened, here)
         self.refuses("poses_b", pelt.deepest_vertex, box_model(), here, opened, here)
         self.assertEqual(pelt.vertices_inside(opened, here, box_model(2), here).sum(), 8)

@@ -44,10 +44,12 @@ TEST_F(RefusedCalls, ASurfaceOfAnotherModel) {
   const char* message = "to another model";
   ContactGeometry geometry;
   PointSide side = PointSide::outside;
+  std::int32_t winding = 0;
   Containment containing = Containment::none;
   EXPECT_DEATH(describe_contacts(a, of_b, b, of_b, {}, scratch, geometry), message);
   EXPECT_DEATH(describe_contacts(a, of_b, {}, scratch, geometry), message);
   EXPECT_DEATH(side_of(a, of_b, {}, scratch, side), message);
+  EXPECT_DEATH(winding_number(a, of_b, {}, scratch, winding), message);
   EXPECT_DEATH(containment(a, of_a, b, of_a, scratch, containing), message);
   Volume found;
   EXPECT_DEATH(volume(a, of_b, found), message);
@@ -71,10 +73,12 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 TEST_F(RefusedCalls, PointsAndDirectionsThatAreNotFinite) {
   ClosestPoint closest;
   PointSide side = PointSide::outside;
+  std::int32_t winding = 0;
   FarthestVertex farthest;
   for (const Vec3& point : {Vec3{kNan, 0, 0}, Vec3{0, kInfinity, 0}, Vec3{0, 0, -kInfinity}}) {
     EXPECT_DEATH(closest_point(a, point, scratch, closest), "the point is NaN or infinite");
     EXPECT_DEATH(side_of(a, of_a, point, scratch, side), "the point is NaN or infinite");
+    EXPECT_DEATH(winding_number(a, of_a, point, scratch, winding), "the point is NaN or infinite");
     EXPECT_DEATH(farthest_vertex(a, point, farthest), "the direction is zero, NaN or infinite");
   }
   const Vec3 nowhere = {0, 0, kNan};

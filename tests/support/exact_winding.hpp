@@ -36,12 +36,18 @@ class ExactWinding {
   }
 
   PointSide side_of(const Vec3& point) {
+    const std::optional<int> number = winding_number(point);
+    if (!number) return PointSide::on;
+    return *number != 0 ? PointSide::inside : PointSide::outside;
+  }
+
+  /// Nullopt if the point is on the surface.
+  std::optional<int> winding_number(const Vec3& point) {
     const BigPoint origin = to_big(point);
     for (const BigTriangle& t : triangles_)
-      if (hulls_meet<mpz_class>({origin, origin, origin}, t)) return PointSide::on;
+      if (hulls_meet<mpz_class>({origin, origin, origin}, t)) return std::nullopt;
     for (;;)
-      if (const auto number = winding_along(random_direction(), origin))
-        return *number != 0 ? PointSide::inside : PointSide::outside;
+      if (const auto number = winding_along(random_direction(), origin)) return number;
   }
 
  private:

@@ -23,29 +23,50 @@ std::int8_t number_of(PointSide side) {
   return static_cast<std::int8_t>(static_cast<int>(side) - static_cast<int>(PointSide::on));
 }
 
-/// The sides of points [F, P]: -1 outside, 0 on the surface, 1 inside.
-py::array_t<std::int8_t> all_sides(const ClipPoses& poses, const py::array& points,
-                                   const Run& run) {
-  const Surface& surface = closed_surface(poses);
+/// Computes something of each point [F, P]. `answer(pose, point, scratch)` returns an Element.
+template <class Element, class Answer>
+py::array_t<Element> for_each_point(const ClipPoses& poses, const py::array& points, const Run& run,
+                                    const Answer& answer) {
   const std::size_t frames = poses.frame_count();
   const FramePoints given(points, "points", frames);
   const std::size_t count = given.count();
-  py::array_t<std::int8_t> result = new_array<std::int8_t>({frames, count});
-  std::int8_t* const out = result.mutable_data();
+  py::array_t<Element> result = new_array<Element>({frames, count});
+  Element* const out = result.mutable_data();
   run_frames(frames, run, [&](FrameQueue& queue) {
     FramePose pose(poses);
     Scratch scratch;
     std::vector<Vec3> read;
     while (const auto frame = queue.next()) {
       given.read(*frame, kLargestCoordinate, read);
-      for (std::size_t p = 0; p < count; ++p) {
-        PointSide side = PointSide::outside;
-        side_of(pose.at(*frame), surface, read[p], scratch, side);
-        out[*frame * count + p] = number_of(side);
-      }
+      for (std::size_t p = 0; p < count; ++p)
+        out[*frame * count + p] = answer(pose.at(*frame), read[p], scratch);
     }
   });
   return result;
+}
+
+/// The sides of points [F, P]: -1 outside, 0 on the surface, 1 inside.
+py::array_t<std::int8_t> all_sides(const ClipPoses& poses, const py::array& points,
+                                   const Run& run) {
+  const Surface& surface = closed_surface(poses);
+  return for_each_point<std::int8_t>(poses, points, run,
+                                     [&](Pose& pose, const Vec3& point, Scratch& scratch) {
+                                       PointSide side = PointSide::outside;
+                                       side_of(pose, surface, point, scratch, side);
+                                       return number_of(side);
+                                     });
+}
+
+/// The winding numbers around points [F, P]; 0 for points on the surface.
+py::array_t<std::int32_t> all_windings(const ClipPoses& poses, const py::array& points,
+                                       const Run& run) {
+  const Surface& surface = closed_surface(poses);
+  return for_each_point<std::int32_t>(poses, points, run,
+                                      [&](Pose& pose, const Vec3& point, Scratch& scratch) {
+                                        std::int32_t winding = 0;
+                                        winding_number(pose, surface, point, scratch, winding);
+                                        return winding;
+                                      });
 }
 
 /// The sides of the vertices of a [F, V] with respect to b.
@@ -108,6 +129,7 @@ DepthColumns all_deepest_vertices(const ClipPoses& a, const ClipPoses& b, const 
 
 void add_inside(py::module_& module) {
   module.def("side_of", &all_sides, py::arg("poses"), py::arg("points"), py::arg("run"));
+  module.def("winding_numbers", &all_windings, py::arg("poses"), py::arg("points"), py::arg("run"));
   module.def("vertex_sides", &all_vertex_sides, py::arg("a"), py::arg("b"), py::arg("run"));
   module.def("deepest_vertex", &all_deepest_vertices, py::arg("a"), py::arg("b"), py::arg("run"));
 }

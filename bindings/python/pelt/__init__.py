@@ -46,6 +46,7 @@ Distances, rays, bounds:
     bounds               boxes and spheres
 Inside and outside of closed surfaces:
     side_of              whether points are inside
+    winding_numbers      how often the surface encloses points
     vertices_inside      which vertices of one model are inside another
     deepest_vertex       the vertex that is deepest inside another model
     posed_vertices       positions of all vertices
@@ -70,7 +71,8 @@ from pelt._collide import clearance, collide, intersects
 from pelt._contact_geometry import ContactGeometry, contact_geometry, self_contact_geometry
 from pelt._contacts import Contacts, SelfContacts
 from pelt._distance import ClosestPoints, Distances, SurfacePoints, closest_points, distance
-from pelt._inside import Penetrations, deepest_vertex, side_of, vertices_inside
+from pelt._inside import (Penetrations, deepest_vertex, side_of, vertices_inside,
+                          winding_numbers)
 from pelt._model import Model
 from pelt._motion import (MovingContacts, SelfMovingContacts, collide_moving, first_contact,
                           self_collide_moving)
@@ -86,5 +88,5 @@ __all__ = [
     "__version__", "bounds", "cast_rays", "clearance", "closest_points", "collide",
     "collide_moving", "contact_geometry", "deepest_vertex", "distance", "first_contact",
     "intersects", "load", "posed_vertices", "self_collide", "self_collide_moving",
-    "self_contact_geometry", "side_of", "vertices_inside",
+    "self_contact_geometry", "side_of", "vertices_inside", "winding_numbers",
 ]

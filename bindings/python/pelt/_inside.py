@@ -57,6 +57,26 @@ def side_of(model: Model, poses: PosesLike, points: Array, *, threads: Optional[
         return _pelt.side_of(clip, given, how)
 
 
+def winding_numbers(model: Model, poses: PosesLike, points: Array, *,
+                    threads: Optional[int] = None,
+                    progress: Progress = None) -> npt.NDArray[np.int32]:
+    """Returns how often the surface encloses each point in each frame [F, P].
+
+    points:  [P, 3] for all frames, or [F, P, 3], in the frame of the palettes.
+
+    0 outside, 1 inside, 2 or more where the body overlaps itself, negative where the surface is
+    inside out. Exact with respect to the float32 posed vertices. A point on the surface has no winding
+    number, and the value 0; `side_of` returns 0 for such points only. The surface must be closed
+    (`Model.is_closed`).
+
+    Raises `pelt.Error` for invalid arguments.
+    """
+    clip = clip_poses("poses", model, poses)
+    given = with_axes("points", floats("points", points), 3)
+    with run("winding_numbers", clip.frame_count, threads, progress) as how:
+        return _pelt.winding_numbers(clip, given, how)
+
+
 def vertices_inside(model_a: Model, poses_a: PosesLike, model_b: Model, poses_b: PosesLike, *,
                     threads: Optional[int] = None,
                     progress: Progress = None) -> npt.NDArray[np.bool_]:
