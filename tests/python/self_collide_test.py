@@ -45,6 +45,24 @@ class Filters(Case):
         self.assertEqual(sum(found.left_out.values()), found.left_out[name])
         return found
 
+    def test_leave_out(self):
+        """Filters give the same for contacts that are known."""
+        first = self.all.in_frame(0)
+        for options in ({}, {"rings": 5}, {"at_rest": first}, {"joint_parents": [-1, 0]},
+                        {"takes_part": np.arange(24) % 5 > 0},
+                        {"groups": np.arange(24) % 3, "group_pairs": [[0, 1]]}):
+            ignore = pelt.SelfFilter(self.model, **options)
+            found, expected = ignore.leave_out(self.all), pelt.self_collide(self.model, self.poses, ignore)
+            self.assertEqual(found, expected)
+            self.assertEqual(found.left_out, expected.left_out)
+        swapped = pelt.Contacts(self.all.frame, self.all.triangle_b, self.all.triangle_a,
+                                self.all.cut_short)
+        self.assertEqual(pelt.SelfFilter(self.model).leave_out(swapped), self.all)
+        wrong = pelt.Contacts(*np.array([[0], [3], [3]], np.int32), np.zeros(1, bool))
+        self.refuses("contacts: pair 0 is a triangle with itself", ignore.leave_out, wrong)
+        wrong.triangle_b[0] = 24
+        self.refuses("contacts: element 1 is the index 24", ignore.leave_out, wrong)
+
     def test_none(self):
         self.assertEqual((self.all.per_frame() > 0).tolist(), [True, True, False])
         self.assertTrue((self.all.triangle_a < self.all.triangle_b).all())

@@ -11,6 +11,7 @@
 #include <pybind11/stl.h>
 
 #include <mutex>
+#include <utility>
 
 namespace pelt::python {
 namespace {
@@ -155,6 +156,30 @@ std::pair<PairColumns, Counts> all_self_contacts(const ClipPoses& poses, const S
   return {found.columns(), left_out.counts()};
 }
 
+/// Returns which pairs [N] of triangles a filter does not leave out, and how many each filter does.
+std::pair<py::array_t<bool>, Counts> kept_pairs(const SelfFilter& filter, const Integers& pairs) {
+  const std::size_t triangles = filter.model().triangle_count();
+  auto given = read_pairs<Contact, std::uint32_t>(pairs, "contacts", triangles);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i].triangle_a == given[i].triangle_b)
+      throw ArgumentError("contacts: pair " + std::to_string(i) + " is a triangle with itself");
+    if (given[i].triangle_a > given[i].triangle_b)
+      std::swap(given[i].triangle_a, given[i].triangle_b);
+  }
+  std::vector<Contact> remaining = given;
+  Scratch scratch;
+  const LeftOut left_out = leave_out(filter, scratch, remaining);
+  py::array_t<bool> kept = new_array<bool>({given.size()});
+  bool* const out = kept.mutable_data();
+  // The order of the remaining pairs has not changed, and equal pairs share their fate.
+  auto next = remaining.begin();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    out[i] = next != remaining.end() && *next == given[i];
+    if (out[i]) ++next;
+  }
+  return {kept, counts_of(left_out)};
+}
+
 std::pair<MovingColumns, Counts> all_self_moving(const ClipPoses& poses, const SelfFilter& filter,
                                                  bool leave_out_start, bool times,
                                                  std::uint32_t max_contacts, const Run& run) {
@@ -189,7 +214,8 @@ void add_self_collide(py::module_& module) {
       .def(py::init(&make_filter), py::arg("model"), py::arg("rings"), py::arg("takes_part"),
            py::arg("at_rest"), py::arg("always"), py::arg("joint_bodies"), py::arg("joint_parents"),
            py::arg("joint_pairs"), py::arg("joint_pairs_in_zones"), py::arg("zones"),
-           py::arg("groups"), py::arg("group_pairs"));
+           py::arg("groups"), py::arg("group_pairs"))
+      .def("kept_pairs", &kept_pairs, py::arg("pairs"));
   module.def("self_collide", &all_self_contacts, py::arg("poses"), py::arg("ignore"),
              py::arg("max_contacts"), py::arg("run"));
   module.def("self_collide_moving", &all_self_moving, py::arg("poses"), py::arg("ignore"),

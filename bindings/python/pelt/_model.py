@@ -30,6 +30,8 @@ class Model:
     """
 
     _empty_filter: Optional[_pelt.SelfFilter] = None
+    _neighbours: Optional[object] = None
+    """a SelfFilter, see `pelt._self_collide`"""
 
     def __init__(self, rest: Array, faces: Array, weights: Optional[Array] = None,
                  joints: Optional[Array] = None, *, joint_count: Optional[int] = None,

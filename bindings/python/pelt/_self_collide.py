@@ -2,9 +2,11 @@
 
 from typing import Optional
 
+import numpy as np
+
 from pelt import _pelt
 from pelt._arrays import Array, Integers, integers
-from pelt._contacts import SelfContacts, limit
+from pelt._contacts import Contacts, SelfContacts, limit
 from pelt._model import Model
 from pelt._poses import PosesLike, clip_poses
 from pelt._run import Progress, run
@@ -51,12 +53,33 @@ class SelfFilter:
             optional("joint_pairs_in_zones", joint_pairs_in_zones), optional("zones", zones),
             optional("groups", groups), optional("group_pairs", group_pairs))
 
+    def leave_out(self, contacts: Contacts) -> SelfContacts:
+        """Returns the contacts that this filter does not leave out.
+
+        contacts:  of the model with itself, for example of `self_collide` without a filter, or of
+                   `collide` between parts of it whose triangles are numbered as in the model.
+
+        One query and several filters cost less than several queries.
+        """
+        pairs = np.stack([contacts.triangle_a, contacts.triangle_b], axis=1).astype(np.int64)
+        kept, left_out = self._filter.kept_pairs(pairs)
+        low, high = pairs[kept].min(axis=1, initial=2**31), pairs[kept].max(axis=1, initial=-1)
+        return SelfContacts(contacts.frame[kept], low.astype(np.int32), high.astype(np.int32),
+                            contacts.cut_short, left_out)
+
 
 def _empty_filter(model: Model) -> _pelt.SelfFilter:
     """Making one takes as long as a query of tens of frames, so each model keeps its own."""
     if model._empty_filter is None:
         model._empty_filter = SelfFilter(model)._filter
     return model._empty_filter
+
+
+def neighbours(model: Model) -> SelfFilter:
+    """Returns the filter that leaves out pairs of triangles that share a corner."""
+    if not isinstance(model._neighbours, SelfFilter):
+        model._neighbours = SelfFilter(model, rings=1)
+    return model._neighbours
 
 
 def filter_of(model: Model, ignore: Optional[SelfFilter]) -> _pelt.SelfFilter:
