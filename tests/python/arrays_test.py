@@ -41,6 +41,13 @@ class Palettes(Case):
         for what, palettes in layouts(self.palettes_a):
             self.same(palettes, what)
 
+    def test_masked(self):
+        masked = np.ma.masked_array(self.palettes_a, np.zeros(self.palettes_a.shape, bool))
+        self.same(masked, "masked arrays without a masked element")
+        masked[0, 0, 0, 3] = np.ma.masked
+        self.refuses("poses_a: has masked elements", pelt.collide, self.a, masked, self.b,
+                     self.palettes_b)
+
     def test_double(self):
         for what, palettes in layouts(self.palettes_a.astype(np.float64)):
             self.same(palettes, what)

@@ -52,9 +52,16 @@ class FromArrays(Case):
     def test_off_weights(self):
         rest, faces = box()
         weights = np.full((8, 1), 0.5)
-        self.refuses("0.5", pelt.Model, rest, faces, weights)
+        self.refuses(r"0.5, expected 1 \(renormalise=True divides", pelt.Model, rest, faces, weights)
         self.assertEqual(pelt.Model(rest, faces, weights, renormalise=True)
                          .report["renormalised_vertices"], 8)
+
+    def test_messages_have_the_names_of_arguments(self):
+        rest, faces = box()
+        self.assertEqual(f"{pelt.Error.__module__}.{pelt.Error.__name__}", "pelt.Error")
+        self.refuses("Model: faces is empty", pelt.Model, rest, faces[:0])
+        rest[3, 1] = np.inf
+        self.refuses(r"Model: rest\[3\] has the coordinate inf", pelt.Model, rest, faces)
 
     def test_sample_palettes(self):
         character = creature()

@@ -76,6 +76,7 @@ class Refused(Files):
                                                           "trans": np.zeros((0, 3))}),
                 ("walk.npz: poses: expected numbers, found <U1", {"poses": np.full((6, 156), "a")}),
                 ("walk.npz: poses: holds pickled", {"poses": np.full((6, 156), None, object)}),
+                ("walk.npz: poses: holds pickled", {"poses": np.full(2, None, object)}),
                 ("walk.npz: mocap_framerate: missing, and no mocap_frame_rate",
                  {"mocap_framerate": None}),
                 ("walk.npz: mocap_framerate: expected more than 0", {"mocap_framerate": np.array(0.0)}),

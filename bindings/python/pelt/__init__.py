@@ -81,6 +81,8 @@ from pelt._poses import Poses, PosesLike, Vertices, posed_vertices
 from pelt._rays import RayHits, cast_rays
 from pelt._self_collide import SelfFilter, self_collide
 
+Error.__module__ = "pelt"  # the name that messages and users see
+
 __all__ = [
     "Array", "Bounds", "Character", "Clip", "ClosestPoints", "ContactGeometry", "Contacts",
     "Distances", "Error", "Model", "MovingContacts", "Part", "Penetrations", "Poses", "PosesLike",

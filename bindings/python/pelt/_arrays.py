@@ -17,6 +17,8 @@ Integers = npt.NDArray[np.int64]
 
 def _array(name: str, value: Array) -> npt.NDArray[Any]:
     """Returns the value as an array, without a copy if possible."""
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        raise Error(f"{name}: has masked elements, which would be read as if they were not masked")
     try:
         if hasattr(value, "__dlpack__") and not isinstance(value, np.ndarray):
             array: npt.NDArray[Any] = np.from_dlpack(value)  # type: ignore[arg-type]

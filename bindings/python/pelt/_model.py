@@ -1,9 +1,18 @@
 """Models."""
 
+import re
 from typing import Dict, Optional, Tuple
 
 from pelt import _pelt
 from pelt._arrays import Array, floats, integer, integers
+
+
+def _in_python(message: str) -> str:
+    """Returns a message of the library with the names of the arguments of `Model`."""
+    for pattern, name in ((r"\brest_positions\b", "rest"), (r"\btriangles(?=\[| is )", "faces"),
+                          (r"off_weights = OffWeights::renormalise", "renormalise=True")):
+        message = re.sub(pattern, name, message)
+    return message
 
 
 class Model:
@@ -41,7 +50,7 @@ class Model:
             raise _pelt.Error("joints: need weights")
         if joint_count is not None and joints is None:
             raise _pelt.Error("joint_count: needs joints")
-        self._model = _pelt.Model(
+        arguments = (
             floats("rest", rest), integers("faces", faces),
             None if weights is None else floats("weights", weights),
             None if joints is None else integers("joints", joints),
@@ -49,6 +58,10 @@ class Model:
             None if morph_targets is None else floats("morph_targets", morph_targets),
             bool(renormalise), bool(weld),
             None if sample_palettes is None else floats("sample_palettes", sample_palettes))
+        try:
+            self._model = _pelt.Model(*arguments)
+        except _pelt.Error as error:
+            raise _pelt.Error(_in_python(str(error))) from None
 
     @classmethod
     def _of(cls, model: _pelt.Model) -> "Model":

@@ -90,10 +90,10 @@ class Npz:
             raise self.error(key, f"missing (the file has {', '.join(sorted(self.keys)) or 'no arrays'})")
         with self._open(key) as stream:
             found, _, dtype = self._header(key, stream)
-        self._check_shape(key, found, shape, {} if sizes is None else sizes)
         if dtype.kind == "O":
             raise self.error(key, "holds pickled Python objects, which are never loaded. "
                                   "Save it again as an array of numbers")
+        self._check_shape(key, found, shape, {} if sizes is None else sizes)
         if dtype.kind not in kinds:
             raise self.error(key, f"expected {'integers' if kinds == 'iu' else 'numbers'}, found {dtype}")
         return self._read(key)
