@@ -1,11 +1,12 @@
 """pelt.Poses, pelt.Vertices and pelt.posed_vertices."""
 
+import pickle
 import unittest
 
 import numpy as np
 
 import pelt
-from support import Case, box_model, creature, moved
+from support import Case, box, box_model, creature, moved
 
 
 class OfPoses(Case):
@@ -15,6 +16,9 @@ class OfPoses(Case):
         self.assertEqual(len(poses[1:]), 2)
         self.assertEqual(poses[1:].morph_weights.shape, (2, 2))
         self.assertEqual(repr(poses), "<pelt.Poses: 3 frames, 1 joints, 2 morph weights>")
+        poses = pelt.Poses(moved([0, 0, 0], [1, 0, 0]), offsets=np.zeros((8, 3)))
+        self.assertEqual(poses[1:].offsets.shape, (1, 8, 3))
+        self.assertEqual(repr(poses), "<pelt.Poses: 2 frames, 1 joints, offsets>")
 
     def test_one_set_of_weights(self):
         self.assertEqual(pelt.Poses(moved(*np.zeros((3, 3))), [1, 2]).morph_weights.shape, (3, 2))
@@ -50,6 +54,46 @@ class GivenVertices(Case):
                      pelt.posed_vertices, cube, pelt.Vertices(bad[:, :7]))
 
 
+class Offsets(Case):
+    def setUp(self):
+        self.rest, self.faces = box()
+        self.model = pelt.Model(self.rest, self.faces, np.ones((8, 1)), offset_caps=np.full(8, 0.5))
+        self.offsets = np.random.default_rng(2).uniform(-0.5, 0.5, (3, 8, 3)).astype(np.float32)
+
+    def test_are_added_after_the_joints(self):
+        palettes = moved([0, 0, 0], [1, 0, 0], [2, 0, 0])
+        palettes[:, :, :3, :3] *= 2
+        without = pelt.posed_vertices(self.model, palettes)
+        for model in self.model, pickle.loads(pickle.dumps(self.model)):
+            posed = pelt.posed_vertices(model, pelt.Poses(palettes, offsets=self.offsets))
+            self.assertTrue(np.array_equal(posed, without + self.offsets))
+        once = pelt.posed_vertices(self.model, pelt.Poses(palettes, offsets=self.offsets[1]))
+        self.assertTrue(np.array_equal(once, without + self.offsets[1]))
+
+    def test_queries(self):
+        poses = pelt.Poses(moved(*np.zeros((3, 3))), offsets=self.offsets)
+        given = pelt.Vertices(pelt.posed_vertices(self.model, poses))
+        other, there = box_model(), moved([2, 0.3, 0.2])
+        for threads in (1, 2):
+            found = pelt.collide(self.model, poses, other, there, threads=threads)
+            self.assertEqual(found, pelt.collide(self.model, given, other, there))
+        self.assertEqual(len(set(found.per_frame().tolist()) - {0}), 3)  # frames differ
+
+    def test_refusals(self):
+        here = moved([0, 0, 0], [0, 0, 0], [0, 0, 0])
+        for element in (0.6, np.nan):
+            self.offsets[1, 2, 0] = element
+            self.refuses("poses, frame 1: the offsets of 1 vertices are NaN or beyond the caps",
+                         pelt.posed_vertices, self.model, pelt.Poses(here, offsets=self.offsets))
+        self.refuses(r"poses, offsets: expected the shape \[3, 8, 3\]", pelt.posed_vertices, self.model,
+                     pelt.Poses(here, offsets=self.offsets[:2]))
+        self.refuses("poses, frame 0: .*caps", pelt.posed_vertices,
+                     pelt.Model(self.rest, self.faces), pelt.Poses(here, offsets=self.offsets))
+        self.refuses(r"offset_caps: expected the shape \[8\]", pelt.Model, self.rest, self.faces,
+                     offset_caps=[1])
+        self.refuses("offset_cap", pelt.Model, self.rest, self.faces, offset_caps=np.full(8, -1.0))
+
+
 class OfPosedVertices(Case):
     def test_skinning(self):
         """Linear blend skinning in NumPy gives nearly the same."""
@@ -81,20 +125,20 @@ class OfPosedVertices(Case):
 
 class Refusals(Case):
     def test_messages(self):
-        box, good = box_model(), moved([0, 0, 0], [1, 0, 0])
+        cube, good = box_model(), moved([0, 0, 0], [1, 0, 0])
         transposed = np.swapaxes(good, 2, 3)
         self.refuses("poses, frame 1: the last row of the matrix of joint 0", pelt.posed_vertices,
-                     box, transposed)
+                     cube, transposed)
         bad = good.copy()
         bad[1, 0, 1, 2] = np.nan
-        self.refuses("poses, frame 1: palette\\[0\\] has the element nan", pelt.posed_vertices, box, bad)
+        self.refuses("poses, frame 1: palette\\[0\\] has the element nan", pelt.posed_vertices, cube, bad)
         bad[1, 0, 1, 2] = 1e300
-        self.refuses("poses, frame 1", pelt.posed_vertices, box, bad)
+        self.refuses("poses, frame 1", pelt.posed_vertices, cube, bad)
         self.refuses(r"expected the shape \[F, 1, 4, 4\] or \[F, 1, 3, 4\], found \[2, 3, 4, 4\]",
-                     pelt.posed_vertices, box, np.zeros((2, 3, 4, 4)))
-        self.refuses("there are no frames", pelt.posed_vertices, box, np.zeros((0, 1, 4, 4)))
-        self.refuses("complex", pelt.posed_vertices, box, good.astype(complex))
-        self.refuses("morph_weights", pelt.posed_vertices, box, pelt.Poses(good, [[1]] * 2))
+                     pelt.posed_vertices, cube, np.zeros((2, 3, 4, 4)))
+        self.refuses("there are no frames", pelt.posed_vertices, cube, np.zeros((0, 1, 4, 4)))
+        self.refuses("complex", pelt.posed_vertices, cube, good.astype(complex))
+        self.refuses("morph_weights", pelt.posed_vertices, cube, pelt.Poses(good, [[1]] * 2))
 
     def test_types(self):
         with self.assertRaisesRegex(TypeError, "model_a: expected a pelt.Model"):

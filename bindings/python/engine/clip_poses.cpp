@@ -21,7 +21,8 @@ std::string list_of(std::size_t first, const char* others) {
 
 ClipPoses ClipPoses::of_palettes(const PythonModel& model, std::string name,
                                  const py::array& palettes,
-                                 const std::optional<py::array>& morph_weights) {
+                                 const std::optional<py::array>& morph_weights,
+                                 const std::optional<py::array>& offsets) {
   const std::size_t joints = model.model().joint_count();
   const bool has_rows = palettes.ndim() == 4 && (palettes.shape(2) == 3 || palettes.shape(2) == 4);
   check_shape(palettes, name, {-1, static_cast<py::ssize_t>(joints), has_rows ? -1 : 4, 4},
@@ -29,8 +30,14 @@ ClipPoses ClipPoses::of_palettes(const PythonModel& model, std::string name,
   const std::size_t frame_count = count_frames(palettes, name);
   ClipPoses poses(model, std::move(name), frame_count);
   poses.palettes_.emplace(palettes, poses.name_);
-  if (!morph_weights) return poses;
   const auto frames = static_cast<py::ssize_t>(poses.frame_count_);
+  if (offsets) {
+    const auto vertices = static_cast<py::ssize_t>(model.model().vertex_count());
+    check_shape(*offsets, poses.name_ + ", offsets", {frames, vertices, 3},
+                "[" + std::to_string(frames) + ", " + std::to_string(vertices) + ", 3]");
+    poses.offsets_.emplace(*offsets, poses.name_ + ", offsets");
+  }
+  if (!morph_weights) return poses;
   const auto targets = static_cast<py::ssize_t>(model.model().morph_target_count());
   check_shape(*morph_weights, poses.name_ + ", morph_weights", {frames, targets},
               "[" + std::to_string(frames) + ", " + std::to_string(targets) + "]");
@@ -67,6 +74,7 @@ void ClipPoses::set_palette(Pose& pose, std::size_t frame, Memory& memory) const
     check(pose.set_palette(memory.palette), place(frame));
   }
   if (morph_weights_) set_morph_weights(pose, frame, memory);
+  if (offsets_) set_offsets(pose, frame, memory);
 }
 
 void ClipPoses::read_palette(std::size_t frame, Memory& memory) const {
@@ -93,6 +101,16 @@ void ClipPoses::set_morph_weights(Pose& pose, std::size_t frame, Memory& memory)
   memory.morph_weights.resize(model().morph_target_count());
   morph_weights_->copy(frame, memory.morph_weights.data());
   check(pose.set_morph_weights(memory.morph_weights), place(frame));
+}
+
+void ClipPoses::set_offsets(Pose& pose, std::size_t frame, Memory& memory) const {
+  memory.offsets.resize(model().vertex_count());
+  offsets_->copy(frame, &memory.offsets.data()->x);
+  check(pose.set_offsets(memory.offsets), place(frame));
+  // A clamped offset would answer for another shape than the caller's.
+  if (const std::uint32_t clamped = check_offsets(pose); clamped > 0)
+    throw ArgumentError(place(frame) + ": the offsets of " + std::to_string(clamped) +
+                        " vertices are NaN or beyond the caps of the model (offset_caps)");
 }
 
 void ClipPoses::set_vertices(Pose& pose, std::size_t frame, Memory& memory) const {

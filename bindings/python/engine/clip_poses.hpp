@@ -25,9 +25,11 @@ class ClipPoses {
   /// `name`: of the argument, for messages.
   /// `palettes`: [F, J, 4, 4] or [F, J, 3, 4].
   /// `morph_weights`: [F, M], or nothing.
+  /// `offsets`: of vertices [F, V, 3], or nothing.
   static ClipPoses of_palettes(const PythonModel& model, std::string name,
                                const py::array& palettes,
-                               const std::optional<py::array>& morph_weights);
+                               const std::optional<py::array>& morph_weights,
+                               const std::optional<py::array>& offsets);
 
   /// `vertices`: [F, V, 3] positions of all vertices, in place of palettes.
   static ClipPoses of_vertices(const PythonModel& model, std::string name,
@@ -44,10 +46,11 @@ class ClipPoses {
     std::vector<Matrix3x4> palette;
     std::vector<float> morph_weights;
     std::vector<Vec3> vertices;
+    std::vector<Vec3> offsets;  // borrowed by the pose
   };
 
   /// Sets the pose to a frame. Throws an error with the name and the frame if an element is
-  /// invalid.
+  /// invalid. `memory` must outlive the queries of the pose.
   void set(Pose& pose, std::size_t frame, Memory& memory) const;
 
  private:
@@ -59,12 +62,14 @@ class ClipPoses {
   void read_palette(std::size_t frame, Memory& memory) const;
   void check_last_row(const float* row, std::size_t frame, std::size_t joint) const;
   void set_morph_weights(Pose& pose, std::size_t frame, Memory& memory) const;
+  void set_offsets(Pose& pose, std::size_t frame, Memory& memory) const;
   void set_vertices(Pose& pose, std::size_t frame, Memory& memory) const;
 
   PythonModel model_;
   std::string name_;
   std::size_t frame_count_;
-  std::optional<FloatView> palettes_, morph_weights_, vertices_;  // palettes or vertices
+  std::optional<FloatView> palettes_, morph_weights_, offsets_;  // either palettes
+  std::optional<FloatView> vertices_;                            // or vertices
 };
 
 /// A pose that one thread moves from frame to frame.

@@ -129,6 +129,16 @@ Morphs read_morphs(const std::optional<py::array>& targets, std::size_t vertices
   return morphs;
 }
 
+std::vector<float> read_caps(const std::optional<py::array>& caps, std::size_t vertices) {
+  std::vector<float> result;
+  if (!caps) return result;
+  check_shape(*caps, "offset_caps", {static_cast<py::ssize_t>(vertices)},
+              "[" + std::to_string(vertices) + "]");
+  const FloatView view(*caps, "offset_caps");
+  for (std::size_t v = 0; v < vertices; ++v) result.push_back(view.at(v));
+  return result;
+}
+
 /// Reads palettes [S, J, 4, 4] or [S, J, 3, 4].
 std::vector<Matrix4> read_samples(const std::optional<py::array>& palettes, std::uint32_t joints) {
   std::vector<Matrix4> samples;
@@ -160,18 +170,25 @@ PythonModel make_model(const py::array& rest, const Integers& faces,
                        const std::optional<py::array>& weights,
                        const std::optional<Integers>& joints,
                        std::optional<std::size_t> joint_count,
-                       const std::optional<py::array>& morph_targets, bool renormalise, bool weld,
+                       const std::optional<py::array>& morph_targets,
+                       const std::optional<py::array>& offset_caps, bool renormalise, bool weld,
                        const std::optional<py::array>& sample_palettes) {
   const std::vector<Vec3> positions = read_rest(rest);
   check_counts(positions.size(), static_cast<std::size_t>(faces.size()) / 3);
   const std::vector<Triangle> triangles = read_faces(faces, positions.size());
   const Influences influences = read_influences(weights, joints, positions.size(), joint_count);
   const Morphs morphs = read_morphs(morph_targets, positions.size());
+  const std::vector<float> caps = read_caps(offset_caps, positions.size());
   const std::vector<Matrix4> samples =
       read_samples(sample_palettes, std::max(1U, influences.joint_count));
-  const SkinnedMeshView mesh = {positions,         triangles,          influences.per_vertex,
-                                influences.joints, influences.weights, influences.joint_count,
-                                morphs.view()};
+  const SkinnedMeshView mesh = {positions,
+                                triangles,
+                                influences.per_vertex,
+                                influences.joints,
+                                influences.weights,
+                                influences.joint_count,
+                                morphs.view(),
+                                caps};
   const py::gil_scoped_release unlocked;
   ModelOptions options;
   if (renormalise) options.off_weights = OffWeights::renormalise;
@@ -212,7 +229,8 @@ void add_model(py::module_& module) {
   py::class_<PythonModel>(module, "Model")
       .def(py::init(&make_model), py::arg("rest"), py::arg("faces"), py::arg("weights"),
            py::arg("joints"), py::arg("joint_count"), py::arg("morph_targets"),
-           py::arg("renormalise"), py::arg("weld"), py::arg("sample_palettes"))
+           py::arg("offset_caps"), py::arg("renormalise"), py::arg("weld"),
+           py::arg("sample_palettes"))
       .def_static("from_bytes", &model_of, py::arg("data"))
       .def("to_bytes", &bytes_of)
       .def_property_readonly("vertex_count",

@@ -29,7 +29,7 @@ void add_poses(py::module_& module) {
       .def(py::init<std::uint32_t, py::object>(), py::arg("threads"), py::arg("on_progress"));
   py::class_<ClipPoses>(module, "ClipPoses")
       .def_static("of_palettes", &ClipPoses::of_palettes, py::arg("model"), py::arg("name"),
-                  py::arg("palettes"), py::arg("morph_weights"))
+                  py::arg("palettes"), py::arg("morph_weights"), py::arg("offsets"))
       .def_static("of_vertices", &ClipPoses::of_vertices, py::arg("model"), py::arg("name"),
                   py::arg("vertices"))
       .def_property_readonly("frame_count", &ClipPoses::frame_count);

@@ -20,9 +20,9 @@ Palettes are [F, J, 4, 4] or [F, J, 3, 4], or [J, 4, 4] for a single frame, in f
 any memory layout. Arrays of other libraries are read without a copy if they have `__dlpack__` and
 are in the memory of the CPU. A matrix transforms rest positions into the frame that all poses of a
 call share: world matrix of the character x transform of the joint x inverse bind matrix. In place
-of palettes, each function also takes `Poses`, which adds weights of morph targets, and `Vertices`,
-which gives the positions of all vertices. A clip of one frame is combined with all frames of the
-other clip.
+of palettes, each function also takes `Poses`, which adds weights of morph targets and offsets of
+vertices, and `Vertices`, which gives the positions of all vertices. A clip of one frame is combined
+with all frames of the other clip.
 
 Answers are exact with respect to the float32 posed vertices (`posed_vertices`), and do not depend on
 the machine or the number of threads. Lengths are in model units. Triangles and joints are numbered

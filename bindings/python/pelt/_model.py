@@ -25,6 +25,8 @@ class Model:
     joints:         [V, K] indices of the joints that `weights` belong to.
     joint_count:    J, only with `joints`; default: the largest index plus one.
     morph_targets:  [M, V, 3] displacements of the vertices at weight 1.
+    offset_caps:    [V] largest offset of each vertex along each axis, in model units, for models that
+                    are posed with `Poses(palettes, offsets=...)`. Small caps keep queries fast.
     renormalise:    divide weights by their sums, instead of raising an error if a sum differs from 1
                     by more than 2^-7.
     weld:           merge vertices that are equal in every bit, which makes queries faster. Pass False
@@ -44,8 +46,9 @@ class Model:
 
     def __init__(self, rest: Array, faces: Array, weights: Optional[Array] = None,
                  joints: Optional[Array] = None, *, joint_count: Optional[int] = None,
-                 morph_targets: Optional[Array] = None, renormalise: bool = False,
-                 weld: bool = True, sample_palettes: Optional[Array] = None) -> None:
+                 morph_targets: Optional[Array] = None, offset_caps: Optional[Array] = None,
+                 renormalise: bool = False, weld: bool = True,
+                 sample_palettes: Optional[Array] = None) -> None:
         if joints is not None and weights is None:
             raise _pelt.Error("joints: need weights")
         if joint_count is not None and joints is None:
@@ -56,6 +59,7 @@ class Model:
             None if joints is None else integers("joints", joints),
             None if joint_count is None else integer("joint_count", joint_count, 1, 65535),
             None if morph_targets is None else floats("morph_targets", morph_targets),
+            None if offset_caps is None else floats("offset_caps", offset_caps),
             bool(renormalise), bool(weld),
             None if sample_palettes is None else floats("sample_palettes", sample_palettes))
         try:

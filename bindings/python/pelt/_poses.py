@@ -18,22 +18,31 @@ def _check_slice(frames: object) -> None:
 
 
 class Poses:
-    """Palettes, and weights of morph targets.
+    """Palettes, weights of morph targets, and offsets of vertices.
 
     palettes:       [F, J, 4, 4] or [F, J, 3, 4], or without F for one frame.
     morph_weights:  [F, M], or [M] for all frames; None means that all weights are 0.
+    offsets:        [F, V, 3], or [V, 3] for all frames: added to each vertex after the joints have
+                    posed it, in the frame that all poses of a call share. The model needs
+                    `offset_caps`, which no offset may exceed. None: no offsets.
 
     `len` is F, and slices are poses of fewer frames.
     """
 
-    def __init__(self, palettes: Array, morph_weights: Optional[Array] = None) -> None:
+    def __init__(self, palettes: Array, morph_weights: Optional[Array] = None,
+                 offsets: Optional[Array] = None) -> None:
         self.palettes: Floats = with_axes("palettes", floats("palettes", palettes), 4)
-        self.morph_weights: Optional[Floats] = None
-        if morph_weights is not None:
-            weights = with_axes("morph_weights", floats("morph_weights", morph_weights), 2)
-            if len(weights) == 1:
-                weights = np.broadcast_to(weights, (len(self.palettes), weights.shape[1]))
-            self.morph_weights = weights
+        self.morph_weights = self._for_all_frames("morph_weights", morph_weights, 2)
+        self.offsets = self._for_all_frames("offsets", offsets, 3)
+
+    def _for_all_frames(self, name: str, value: Optional[Array], axes: int) -> Optional[Floats]:
+        """Returns an array with the frames of the palettes, without a copy."""
+        if value is None:
+            return None
+        array = with_axes(name, floats(name, value), axes)
+        if len(array) == 1:
+            array = np.broadcast_to(array, (len(self.palettes), *array.shape[1:]))
+        return array
 
     def __len__(self) -> int:
         return len(self.palettes)
@@ -41,12 +50,14 @@ class Poses:
     def __getitem__(self, frames: slice) -> "Poses":
         _check_slice(frames)
         weights = None if self.morph_weights is None else self.morph_weights[frames]
-        return Poses(self.palettes[frames], weights)
+        offsets = None if self.offsets is None else self.offsets[frames]
+        return Poses(self.palettes[frames], weights, offsets)
 
     def __repr__(self) -> str:
         morphs = 0 if self.morph_weights is None else self.morph_weights.shape[1]
-        with_morphs = f", {morphs} morph weights" if morphs else ""
-        return f"<pelt.Poses: {len(self)} frames, {self.palettes.shape[1]} joints{with_morphs}>"
+        more = f", {morphs} morph weights" if morphs else ""
+        more += ", offsets" if self.offsets is not None else ""
+        return f"<pelt.Poses: {len(self)} frames, {self.palettes.shape[1]} joints{more}>"
 
 
 class Vertices:
@@ -84,8 +95,9 @@ def clip_poses(name: str, model: Model, poses: PosesLike) -> _pelt.ClipPoses:
         return _pelt.ClipPoses.of_vertices(model._model, name, poses.positions)
     if not isinstance(poses, Poses):
         matrices = with_axes(name, floats(name, poses), 4)
-        return _pelt.ClipPoses.of_palettes(model._model, name, matrices, None)
-    return _pelt.ClipPoses.of_palettes(model._model, name, poses.palettes, poses.morph_weights)
+        return _pelt.ClipPoses.of_palettes(model._model, name, matrices, None, None)
+    return _pelt.ClipPoses.of_palettes(model._model, name, poses.palettes, poses.morph_weights,
+                                       poses.offsets)
 
 
 def posed_vertices(model: Model, poses: PosesLike, *, threads: Optional[int] = None,
