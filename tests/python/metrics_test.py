@@ -39,13 +39,29 @@ def sphere(radius=1.0, rings=24):
     return rest, np.array(faces)
 
 
+def boxes(count):
+    """Returns cubes of side 2 in one mesh, 16 apart at rest, each with a joint of its own."""
+    rest, faces = joined(*[box()] * count)
+    rest[:, 0] += np.repeat(16 * np.arange(count), 8)
+    return rest, faces, np.repeat(np.eye(count), 8, axis=0)
+
+
 def two_boxes():
-    """Two cubes of side 2 in one mesh, each with a joint of its own."""
-    rest, faces = joined(box(), box())
-    return rest, faces, np.repeat(np.eye(2), 8, axis=0)
+    return boxes(2)
+
+
+def boxes_at(*offsets):
+    """Returns palettes [F, n, 4, 4] that move each of n boxes from the first one by offsets [F, 3]."""
+    return np.concatenate([moved(*np.asarray(offset, float) - [16 * joint, 0, 0])
+                           for joint, offset in enumerate(offsets)], axis=1)
 
 
 def apart(*offsets):
+    """Returns palettes [F, 2, 4, 4] that move the second of two boxes by these offsets."""
+    return boxes_at(HERE * len(offsets), offsets)
+
+
+def ends_apart(*offsets):
     """Returns palettes [F, 2, 4, 4] that move the second joint only."""
     return np.concatenate([moved(*HERE * len(offsets)), moved(*offsets)], axis=1)
 
@@ -64,34 +80,69 @@ class Collisions(Case):
         self.assertEqual(share.triangles.tolist(), [len(touched), 0])
         self.assertEqual(share.triangle_percent[0], 100 * len(touched) / 24)
 
+    def test_pairs_that_share_a_corner(self):
+        # Two triangles at one edge, folded flat, and two with one common corner, crossing each other.
+        rest = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [1, 1, 1],
+                [8, 0, 0], [12, -2, 0], [12, 2, 0], [9, 0, -1], [9, 0, 1]]
+        faces = [[0, 1, 2], [1, 0, 3], [4, 5, 6], [4, 7, 8]]
+        model = pelt.Model(rest, faces)
+        flat = np.array(rest, float)
+        flat[3] = [0.5, 0.5, 0]
+        poses = pelt.Vertices([flat])
+        self.assertEqual(metrics.colliding_triangles(model, poses).pairs.tolist(), [0])
+        all_pairs = metrics.colliding_triangles(model, poses, pelt.SelfFilter(model)).pairs
+        self.assertEqual(all_pairs.tolist(), [2])
+        self.assertEqual(metrics.capped_colliding_triangles(model, poses, faces).pairs.tolist(), [0])
+
     def test_cap(self):
         rest, faces, weights = two_boxes()
-        model, poses = pelt.Model(rest, faces, weights), apart([1.5, 0.3, 0.2])
-        all_pairs = metrics.colliding_triangles(model, poses).pairs[0]
-        capped = metrics.capped_colliding_triangles(model, poses, faces, cap=1000)
-        self.assertEqual((capped.pairs[0], capped.lost[0]), (all_pairs, 0))
-        capped = metrics.capped_colliding_triangles(model, poses, faces)
-        self.assertEqual(capped.pairs[0] + capped.lost[0], all_pairs)
-        self.assertEqual(capped.pairs[0], self.by_brute_force(model, poses, faces, 8))
-        self.assertGreater(capped.lost[0], 0)
+        model, poses = pelt.Model(rest, faces, weights), apart([1.5, 0.3, 0.2], [9, 0, 0])
+        pairs = metrics.colliding_triangles(model, poses).pairs
+        self.assertGreater(pairs[0], 10)
+        lost = 0
+        for cap in (0, 1, 2, 3, 4, 8):
+            capped = metrics.capped_colliding_triangles(model, poses, faces, cap=cap)
+            for frame in (0, 1):
+                kept, hits = self.by_brute_force(model, poses[frame:frame + 1], faces, cap)
+                self.assertEqual((capped.pairs[frame], capped.box_hits[frame]), (kept, hits))
+                self.assertEqual(capped.percent[frame], kept * (100 / 24))
+                self.assertEqual(capped.pairs[frame] + capped.lost[frame], pairs[frame])
+                if hits <= cap * 24:
+                    self.assertEqual(capped.lost[frame], 0)
+            lost += capped.lost[0] > 0
+        self.assertGreater(lost, 1)
+        self.assertEqual(capped.lost.tolist(), [0, 0])
         self.refuses("faces: expected the shape", metrics.capped_colliding_triangles, model, poses,
                      faces[1:])
 
     def by_brute_force(self, model, poses, faces, cap):
+        """Returns the pairs among the first cap x T box hits, and all box hits."""
         triangles = pelt.posed_vertices(model, poses)[0][faces]
-        pairs = set(zip(*pelt.self_collide(model, poses).in_frame(0).T))
-        kept = 0
-        for a in range(len(faces)):
-            hits = [b for b in range(a + 1, len(faces))
-                    if all(triangles[a][:, k].min() <= triangles[b][:, k].max()
-                           and triangles[b][:, k].min() <= triangles[a][:, k].max() for k in range(3))]
-            kept += sum((a, b) in pairs for b in hits[:cap])
-        return kept
+        pairs = set(zip(*pelt.self_collide(model, poses, pelt.SelfFilter(model, rings=1))
+                        .in_frame(0).T))
+        hits = [(a, b) for a in range(len(faces)) for b in range(a + 1, len(faces))
+                if all(triangles[a][:, k].min() <= triangles[b][:, k].max()
+                       and triangles[b][:, k].min() <= triangles[a][:, k].max() for k in range(3))]
+        return sum(hit in pairs for hit in hits[:cap * len(faces)]), len(hits)
+
+    def test_box_hits_of_a_body(self):
+        keys = generated_body.arrays()
+        rest, faces = keys["v_template"], keys["f"].astype(int)
+        model = pelt.Model(rest, faces)
+        pushed = rest.copy()
+        pushed[rest[:, 0] > 0.25, 0] -= 0.4
+        poses = pelt.Vertices(np.stack([rest, pushed]))
+        capped = metrics.capped_colliding_triangles(model, poses, faces, cap=100)
+        triangles = np.stack([rest, pushed]).astype(np.float32)[:, faces]
+        for frame, (low, high) in enumerate(zip(triangles.min(2), triangles.max(2))):
+            meets = ((low[:, np.newaxis] <= high) & (low <= high[:, np.newaxis])).all(2)
+            self.assertEqual(capped.box_hits[frame], np.triu(meets, 1).sum())
+        self.assertGreater(capped.pairs[1], 0)
+        self.assertEqual(capped.lost.tolist(), [0, 0])
 
     def test_smplify_x_filter(self):
-        rest, faces = joined(box(), box(), box(), box())
-        model = pelt.Model(rest, faces, np.repeat(np.eye(4), 8, axis=0))
-        poses = np.concatenate([moved([0.1 * j, 0.2 * j, 0.05 * j]) for j in range(4)], axis=1)
+        model = pelt.Model(*boxes(4))
+        poses = boxes_at(*([[0.1 * j, 0.2 * j, 0.05 * j]] for j in range(4)))
         pairs = pelt.self_collide(model, poses).in_frame(0) // 12
         parts = {tuple(pair) for pair in pairs.tolist()}
         self.assertEqual(parts, {(a, b) for a in range(4) for b in range(a + 1, 4)})
@@ -184,14 +235,14 @@ class SelfContact(Case):
         self.geodesics = metrics.Geodesics(self.rest, self.faces)
 
     def test_rest_is_free(self):
-        found = metrics.self_contact(self.model, apart([0, 0, 0]), self.geodesics)
+        found = metrics.self_contact(self.model, ends_apart([0, 0, 0]), self.geodesics)
         self.assertEqual(found.percent.tolist(), [0])
         self.assertTrue(np.isinf(found.distance).all())
 
     def test_against_brute_force(self):
         # Moves the second half over the first one, 1.5 cm above.
         offsets = [[-0.5, 0, 0.015], [-0.3, 0.004, 0.015], [-0.2, 0, 0.015], [0, 0, 0.5]]
-        poses = apart(*offsets)
+        poses = ends_apart(*offsets)
         found = metrics.self_contact(self.model, poses, self.geodesics)
         posed = pelt.posed_vertices(self.model, poses).astype(float)
         along = self.floyd()
@@ -226,7 +277,7 @@ class SelfContact(Case):
                      self.faces)
         self.refuses("faces: element 2", metrics.Geodesics, self.rest[:3], self.faces)
         self.refuses("geodesics: made for 8 vertices", metrics.self_contact, self.model,
-                     apart([0, 0, 0]), metrics.Geodesics(*box()))
+                     ends_apart([0, 0, 0]), metrics.Geodesics(*box()))
 
 
 class Parts(Case):

@@ -12,7 +12,7 @@ float32 posed vertices.
 
 A body with itself:
     colliding_triangles        pairs of colliding triangles, as a share of all triangles
-    capped_colliding_triangles the same, with the cap of torch-mesh-isect
+    capped_colliding_triangles  the same, with the cap of torch-mesh-isect
     smplify_x_filter           leaves out the pairs that SMPLify-X leaves out
     self_contact               vertices near others that are far along the surface (TUCH)
     BodyParts                  closed parts of a body, and vertices of one part inside another

@@ -11,10 +11,12 @@ from pelt._model import Model
 from pelt._pelt import Error
 from pelt._poses import PosesLike, posed_vertices
 from pelt._run import Progress
-from pelt._self_collide import SelfFilter, self_collide
+from pelt._self_collide import SelfFilter, neighbours, self_collide
 
 Counts = npt.NDArray[np.int64]
 Percents = npt.NDArray[np.float64]
+
+_BOXES_AT_A_TIME = 1024
 
 SMPLIFY_X_IGNORED: Tuple[Tuple[int, int], ...] = ((9, 16), (9, 17), (6, 16), (6, 17), (1, 2),
                                                   (12, 22))
@@ -46,8 +48,11 @@ class CappedCollisions(NamedTuple):
     percent: Percents
     """[F] 100 x pairs / T"""
 
+    box_hits: Counts
+    """[F] number of pairs of triangles whose bounding boxes overlap, neighbours included"""
+
     lost: Counts
-    """[F] number of colliding pairs beyond the cap"""
+    """[F] number of colliding pairs beyond the cap: 0 unless there are more box hits than cap x T"""
 
 
 def colliding_triangles(model: Model, poses: PosesLike, ignore: Optional[SelfFilter] = None, *,
@@ -57,21 +62,26 @@ def colliding_triangles(model: Model, poses: PosesLike, ignore: Optional[SelfFil
 
     model:   T triangles.
     poses:   F frames: palettes [F, J, 4, 4], `Poses` or `Vertices`.
-    ignore:  which pairs to leave out, for example `smplify_x_filter`.
+    ignore:  which pairs to leave out, for example `smplify_x_filter`. Default: pairs that share a
+             corner, as torch-mesh-isect does. `pelt.SelfFilter(model)` leaves out nothing: triangles
+             that share a corner then count if they meet elsewhere, too, as in creases.
 
-    Definition: 100 x pairs / T, in percent, where pairs counts the intersecting pairs of triangles.
-    Triangles that share a corner or an edge count only if they meet elsewhere, too.
-    Source: torch-mesh-isect, examples/detect_and_plot_collisions.py, there with a cap, see
-    `capped_colliding_triangles`. This function has no cap.
+    Definition: 100 x pairs / T, in percent, where pairs counts the intersecting pairs of triangles
+    that share no corner.
+    Source: torch-mesh-isect, examples/detect_and_plot_collisions.py and src/bvh_cuda_op.cu
+    (`shareVertex`), there with a cap on box hits, see `capped_colliding_triangles`. This function has
+    no cap, so it returns the value that torch-mesh-isect approaches with a large `max_collisions`.
 
     Misjudges: the share is one of pairs, so it grows with the resolution of the mesh: halving all
     edges halves it. Compare bodies only with equal `faces`. `triangle_percent` depends less on it.
     """
-    contacts = self_collide(model, poses, ignore, threads=threads, progress=progress)
-    return _collisions(contacts, model.triangle_count)
+    contacts = self_collide(model, poses, ignore or neighbours(model), threads=threads,
+                            progress=progress)
+    return collisions_of(contacts, model.triangle_count)
 
 
-def _collisions(contacts: SelfContacts, count: int) -> CollidingTriangles:
+def collisions_of(contacts: SelfContacts, count: int) -> CollidingTriangles:
+    """Returns the shares of contacts of a body with this number of triangles."""
     pairs = contacts.per_frame()
     ends = np.concatenate([contacts.triangle_a, contacts.triangle_b]).astype(np.int64)
     keys = np.unique(np.tile(contacts.frame.astype(np.int64), 2) * count + ends)
@@ -85,43 +95,70 @@ def capped_colliding_triangles(model: Model, poses: PosesLike, faces: Array, *, 
     """Returns the share of colliding triangles as torch-mesh-isect counts it, in each frame.
 
     faces:  [T, 3] the triangles of the model.
-    cap:    number of box hits that each triangle keeps; 8 is the default of torch-mesh-isect.
+    cap:    `max_collisions`; 8 is the default of torch-mesh-isect.
 
-    Definition: for each triangle, the triangles of higher index whose bounding boxes overlap its own
-    are its box hits, neighbours included. At most `cap` of them are kept. Pairs counts the kept hits
-    whose triangles intersect; the share is 100 x pairs / T, in percent.
-    Source: torch-mesh-isect, `BVH(max_collisions=8)` and examples/detect_and_plot_collisions.py.
+    Definition: box hits are the pairs of triangles whose bounding boxes overlap, neighbours included.
+    At most cap x T of them are kept, for the mesh as a whole. Pairs counts the kept ones whose
+    triangles intersect and share no corner; the share is 100 x pairs / T, in percent.
+    Source: torch-mesh-isect, src/bvh_cuda_op.cu: `BVH(max_collisions=8)` allocates cap x T box hits,
+    which all triangles share.
 
-    Saturates: deep collisions have more than `cap` box hits for each triangle, and the neighbours
-    alone fill most of the cap in a fine mesh, so the share is at most 100 x cap percent and hides how
-    bad a pose is. Which hits torch-mesh-isect keeps depends on the order in which it visits its tree.
-    This function keeps those of lowest index instead, so that the answer can be reproduced: expect
-    figures that are close to published ones, not equal. `colliding_triangles` has neither problem.
+    Saturates: if there are more box hits than cap x T, torch-mesh-isect writes them behind its memory
+    and its result is undefined; the neighbours alone are about 6 box hits for each triangle of a closed
+    mesh. This function then keeps the box hits of lowest indices, so that the answer can be reproduced,
+    and `lost` counts the colliding pairs beyond them. As long as `box_hits` is at most cap x T, nothing
+    is lost, and the share is that of torch-mesh-isect, apart from its rounding, and that of
+    `colliding_triangles`.
     """
     kept = limit("cap", cap)
     corners = integers("faces", faces)
     if corners.shape != (model.triangle_count, 3):
         raise Error(f"faces: expected the shape [{model.triangle_count}, 3], found "
                     f"{list(corners.shape)}")
-    contacts = self_collide(model, poses, threads=threads, progress=False)
+    contacts = self_collide(model, poses, neighbours(model), threads=threads, progress=False)
     pairs: Counts = np.zeros(contacts.frames, np.int64)
+    box_hits: Counts = np.zeros(contacts.frames, np.int64)
     for frame, positions in enumerate(posed_vertices(model, poses, threads=threads, progress=False)):
-        pairs[frame] = _pairs_within_cap(positions[corners], contacts.in_frame(frame), kept)
+        hits = _box_hits(positions[corners])
+        found = contacts.in_frame(frame).astype(np.int64)
+        box_hits[frame] = len(hits)
+        pairs[frame] = _count_within(found[:, 0] * len(corners) + found[:, 1], hits,
+                                     kept * len(corners))
     lost = contacts.per_frame() - pairs
-    return CappedCollisions(pairs, 100 / max(model.triangle_count, 1) * pairs, lost)
+    return CappedCollisions(pairs, 100 / max(model.triangle_count, 1) * pairs, box_hits, lost)
 
 
-def _pairs_within_cap(triangles: npt.NDArray[np.float32], pairs: npt.NDArray[np.int32],
-                      cap: int) -> int:
-    """Counts the pairs whose second triangle is among the first box hits of the first one."""
+def _count_within(keys: Counts, hits: Counts, most: int) -> int:
+    """Counts the keys that are among the first box hits."""
+    if len(hits) <= most:
+        return len(keys)
+    return int((keys < np.partition(hits, most)[most]).sum())
+
+
+def _box_hits(triangles: npt.NDArray[np.float32]) -> Counts:
+    """Returns a T + b for all pairs a < b of T triangles whose boxes overlap, in any order."""
     low, high = triangles.min(axis=1), triangles.max(axis=1)
-    count = 0
-    for first in np.unique(pairs[:, 0]):
-        above = slice(first + 1, None)
-        overlap = ((low[above] <= high[first]) & (high[above] >= low[first])).all(axis=1)
-        hits = np.flatnonzero(overlap)[:cap] + first + 1
-        count += int(np.isin(pairs[pairs[:, 0] == first, 1], hits).sum())
-    return count
+    count = len(triangles)
+    if count == 0:
+        return np.zeros(0, np.int64)
+    axis = int(np.argmax(high.max(axis=0) - low.min(axis=0)))
+    order = np.argsort(low[:, axis], kind="stable")
+    low, high = low[order], high[order]
+    # In this order, the box of a triangle overlaps those after it up to `ends` along the axis.
+    ends = np.searchsorted(low[:, axis], high[:, axis], side="right")
+    found = []
+    for begin in range(0, count, _BOXES_AT_A_TIME):
+        rows = np.arange(begin, min(begin + _BOXES_AT_A_TIME, count))
+        more = ends[rows] - rows - 1
+        first = np.repeat(rows, more)
+        second = first + 1 + np.arange(len(first)) - np.repeat(np.cumsum(more) - more, more)
+        for other in {0, 1, 2} - {axis}:
+            meets = ((low[first, other] <= high[second, other])
+                     & (low[second, other] <= high[first, other]))
+            first, second = first[meets], second[meets]
+        a, b = order[first], order[second]
+        found.append(np.minimum(a, b) * count + np.maximum(a, b))
+    return np.concatenate(found)
 
 
 def smplify_x_filter(model: Model, joint_parents: Optional[Array] = None, *,
@@ -135,21 +172,21 @@ def smplify_x_filter(model: Model, joint_parents: Optional[Array] = None, *,
     segment_parents:  [T] parent part of each triangle: the `parents` of a parts file.
     ignored_pairs:    pairs of parts; the default is that of SMPLify-X, for the joints of SMPL-X.
 
-    Definition: a pair is left out if both triangles are of one part, if the part of one is the parent
-    of the other's, or if the two parts are an ignored pair. Use it as
+    Definition: a pair is left out if its triangles share a corner, if both are of one part, if the part
+    of one is the parent of the other's, or if the two parts are an ignored pair. Use it as
     `colliding_triangles(model, poses, smplify_x_filter(model, parents))`.
-    Source: torch-mesh-isect, `FilterFaces`; smplify-x, cfg_files: `ign_part_pairs` "9,16 9,17 6,16 6,17
+    Source: torch-mesh-isect, src/bvh_cuda_op.cu (`shareVertex`) and `FilterFaces`; smplify-x, cfg_files: `ign_part_pairs` "9,16 9,17 6,16 6,17
     1,2 12,22".
 
     Misjudges: collisions within a part, such as a folded hand or belly, and between a part and its
-    parent, such as a forearm through its upper arm, never count. SMPLify-X keeps at most 128 box hits
-    of each triangle; this filter has no cap.
+    parent, such as a forearm through its upper arm, never count. SMPLify-X keeps at most 128 T box
+    hits of T triangles; this filter has no cap.
     """
     if (joint_parents is None) == (segments is None) or (segments is None) != (segment_parents is None):
         raise Error("smplify_x_filter: expected joint_parents, or segments and segment_parents")
     if joint_parents is not None:
         known = [pair for pair in ignored_pairs if max(pair) < model.joint_count]
-        return SelfFilter(model, joint_parents=joint_parents, joint_pairs=_pairs(known))
+        return SelfFilter(model, rings=1, joint_parents=joint_parents, joint_pairs=_pairs(known))
     parts = integers("segments", segments)
     parents = integers("segment_parents", segment_parents)
     if parts.shape != (model.triangle_count,) or parents.shape != parts.shape:
@@ -157,7 +194,7 @@ def smplify_x_filter(model: Model, joint_parents: Optional[Array] = None, *,
                     f"{list(parts.shape)} and {list(parents.shape)}")
     pairs = {(int(part), int(part)) for part in parts} | {tuple(pair) for pair in ignored_pairs}
     pairs |= {(int(a), int(b)) for a, b in zip(parts, parents) if b >= 0}
-    return SelfFilter(model, groups=parts, group_pairs=_pairs(sorted(pairs)))
+    return SelfFilter(model, rings=1, groups=parts, group_pairs=_pairs(sorted(pairs)))
 
 
 def _pairs(pairs: Sequence[Tuple[int, ...]]) -> Integers:
