@@ -304,8 +304,32 @@ class Parts(Case):
         self.assertEqual(volume[0], 0)
         self.assertGreater(volume[1], 0)
 
+    def test_ragged_parts(self):
+        """Parts of the largest weight, as of SMPL, and random ones, whose boundaries touch each other."""
+        touching = 0
+        for seed in range(8):
+            random = np.random.default_rng(seed)
+            parts = self.weights.argmax(axis=1)
+            noisy = random.random(len(parts)) < 0.08 * seed
+            parts[noisy] = random.integers(0, 4, noisy.sum())
+            body = metrics.BodyParts(self.rest, self.faces, parts)
+            for number in body.numbers:
+                own = self.faces[(parts[self.faces] == number).all(axis=1)]
+                edges = {(a, b) for face in own.tolist() for a, b in zip(face, face[1:] + face[:1])}
+                starts = [a for a, b in edges if (b, a) not in edges]
+                touching += len(starts) > len(set(starts))
+                model = body.model(number)
+                self.assertTrue(model.is_closed, seed)
+                self.assertEqual(model.triangle_count, len(own) + len(starts), seed)
+            inside = body.vertices_inside(pelt.Model(self.rest, self.faces), pelt.Vertices(self.rest))
+            self.assertEqual(inside.shape, (1, len(self.rest)))
+        self.assertGreater(touching, 10)
+
     def test_refused(self):
         self.refuses("parts: expected the shape", metrics.BodyParts, self.rest, self.faces, [0])
+        wings = [[0, 1, 2], [1, 0, 3], [0, 1, 4]]
+        self.refuses("part 7 cannot be closed: more than two", metrics.BodyParts,
+                     np.eye(5, 3) + [[1, 2, 3]], wings, [7] * 5)
 
 
 class Subject(Case):

@@ -1,6 +1,7 @@
 """Closed parts of a body."""
 
-from typing import List, NamedTuple, Optional
+import collections
+from typing import Dict, List, NamedTuple, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -37,9 +38,10 @@ class BodyParts:
     parts:  [V] number of the part of each vertex; for example `weights.argmax(axis=1)`.
 
     A part has the triangles whose three corners are of the part, and a fan around the mean of each
-    boundary. Each part must be a surface without branches, whose boundaries do not touch each other.
+    boundary. Parts may be ragged, have islands, and have boundaries that touch each other.
 
-    Source: TUCH, selfcontact: `BodySegment`, which closes segments by hand-picked bands instead.
+    Source: TUCH, selfcontact/body_segmentation.py: `BodySegment`, which closes hand-picked segments by
+    fans around the means of hand-picked boundaries.
     """
 
     def __init__(self, rest: Array, faces: Array, parts: Array) -> None:
@@ -99,7 +101,7 @@ def _closed_part(number: int, positions: Floats, faces: Integers, parts: Integer
     inner = faces[of_part.all(axis=1)]
     vertices, local = np.unique(inner, return_inverse=True)
     triangles = local.reshape(-1, 3)
-    loops = _boundary_loops(number, triangles)
+    loops = _boundary_loops(triangles)
     fans = [np.stack([np.roll(loop, -1), loop, np.full_like(loop, len(vertices) + index)], axis=1)
             for index, loop in enumerate(loops)]
     own = np.zeros(len(positions), np.bool_)
@@ -108,7 +110,8 @@ def _closed_part(number: int, positions: Floats, faces: Integers, parts: Integer
     rest = _part_positions(part, positions[np.newaxis])[0]
     model = Model(rest, np.concatenate([triangles, *fans]))
     if not model.is_closed:
-        raise Error(f"parts: part {number} cannot be closed: its surface branches or is not oriented")
+        raise Error(f"parts: part {number} cannot be closed: more than two of its triangles meet at an "
+                    "edge, or two that do not traverse it in opposite directions")
     return part._replace(model=model)
 
 
@@ -118,23 +121,34 @@ def _part_positions(part: _Part, positions: Floats) -> Floats:
     return np.concatenate([positions[:, part.vertices], *means], axis=1)
 
 
-def _boundary_loops(number: int, triangles: Integers) -> List[Integers]:
-    """Returns the boundaries of a surface, each in the direction of its triangles' edges."""
-    edges = {(int(a), int(b)) for triangle in triangles
-             for a, b in zip(triangle, np.roll(triangle, -1))}
-    after = {}
-    for a, b in sorted(edges):
-        if (b, a) in edges:
-            continue
-        if a in after:
-            raise Error(f"parts: two boundaries of part {number} touch each other")
-        after[a] = b
+def _boundary_loops(triangles: Integers) -> List[Integers]:
+    """Returns the boundary of a surface as loops without repeated vertices, each in the direction of its
+    triangles' edges. Boundaries may touch each other at vertices, as those of ragged parts do."""
+    after = _edges_of_boundary(triangles)
     loops = []
-    while after:
-        loop = [next(iter(after))]
-        while (follower := after.pop(loop[-1], None)) is not None:
-            loop.append(follower)
-        if loop[0] != loop[-1]:
-            raise Error(f"parts: a boundary of part {number} is not a loop")
-        loops.append(np.array(loop[:-1], np.int64))
+    for start in sorted(after):
+        path, place = [start], {start: 0}
+        while after[path[-1]]:
+            vertex = after[path[-1]].pop()
+            if vertex in place:
+                loops.append(np.array(path[place[vertex]:], np.int64))
+                for passed in path[place[vertex] + 1:]:
+                    del place[passed]
+                del path[place[vertex] + 1:]
+            else:
+                place[vertex] = len(path)
+                path.append(vertex)
     return loops
+
+
+def _edges_of_boundary(triangles: Integers) -> Dict[int, List[int]]:
+    """Returns the ends of all edges that no triangle traverses in the other direction, by their starts.
+    At each vertex, as many of them end as start."""
+    edges = collections.Counter((int(a), int(b)) for triangle in triangles
+                                for a, b in zip(triangle, np.roll(triangle, -1)))
+    after: Dict[int, List[int]] = {}
+    for (a, b), count in sorted(edges.items()):
+        for vertex in (a, b):
+            after.setdefault(vertex, [])
+        after[a] += [b] * max(0, count - edges[b, a])
+    return after
