@@ -66,6 +66,17 @@ def ends_apart(*offsets):
     return np.concatenate([moved(*HERE * len(offsets)), moved(*offsets)], axis=1)
 
 
+def brute_winding(point, triangles):
+    """The winding number by solid angles, and whether it is near an integer."""
+    a, b, c = np.moveaxis(triangles.astype(float) - point, 1, 0)
+    lengths = [np.linalg.norm(v, axis=1) for v in (a, b, c)]
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c))
+    below = (lengths[0] * lengths[1] * lengths[2] + (a * b).sum(1) * lengths[2]
+             + (b * c).sum(1) * lengths[0] + (c * a).sum(1) * lengths[1])
+    exact = 2 * np.arctan2(volume, below).sum() / (4 * np.pi)
+    return round(exact), abs(exact - round(exact)) < 1e-6
+
+
 class Collisions(Case):
     def test_colliding_triangles(self):
         rest, faces, weights = two_boxes()
@@ -178,6 +189,36 @@ class Penetration(Case):
                               moved([0, 0, 0]))
         self.assertEqual((found.per_frame.tolist(), found.deepest, found.mean), ([0.5, 0], 0.5, 0.25))
 
+    def test_summed_depth(self):
+        # One corner of each box is inside the other one, 0.75 deep.
+        arguments = (box_model(), moved([1.5, 1.25, 1.25], [9, 0, 0]), box_model(1.25),
+                     moved([0, 0, 0]))
+        found = metrics.summed_depth(*arguments)
+        self.assertEqual((found.per_frame.tolist(), found.mean, found.frame_percent),
+                         ([1.5, 0], 0.75, 50))
+        found = metrics.summed_depth(*arguments, counted_a=np.zeros(8, bool))
+        self.assertEqual(found.per_frame.tolist(), [0.75, 0])
+        found = metrics.summed_depth(*arguments, counted_b=np.zeros(8, int))
+        self.assertEqual(found.per_frame.tolist(), [0.75, 0])
+        self.refuses("counted_b: expected the shape", metrics.summed_depth, *arguments, counted_b=[1])
+
+    def test_summed_depth_against_distances(self):
+        rest, faces = sphere(rings=8)
+        model = pelt.Model(rest, faces)
+        here, there = moved(*HERE * 3), moved([1.2, 0.1, 0.3], [3, 0, 0], [0.4, 0.2, -0.9])
+        found = metrics.summed_depth(model, here, model, there)
+        posed = [pelt.posed_vertices(model, poses) for poses in (here, there)]
+        for frame in range(3):
+            expected = 0.0
+            for a, b in ((0, 1), (1, 0)):
+                triangles = posed[b][frame][faces]
+                for vertex in posed[a][frame].astype(float):
+                    if brute_winding(vertex, triangles)[0]:
+                        points = pelt.closest_points(model, (here, there)[b][frame], [vertex])
+                        expected += points.distance[0, 0]
+            self.assertAlmostEqual(found.per_frame[frame], expected, 9)
+        self.assertEqual((found.per_frame > 0).tolist(), [True, False, True])
+
 
 class Volumes(Case):
     def test_boxes(self):
@@ -198,6 +239,35 @@ class Volumes(Case):
         model, poses = pelt.Model(*two_boxes()), apart([1.5, 0.25, 0], [5, 0, 0])
         found = metrics.self_intersection_volume(model, poses)
         self.assertTrue((np.abs(found.value - [1.75, 0]) <= found.error + 1e-12).all())
+
+    def test_is_not_negative(self):
+        # Without the bound, rounding made some of these values -1e-17.
+        random = np.random.default_rng(5)
+        keys = generated_body.arrays()
+        rest = keys["v_template"] + random.normal(size=(200, 1, 3))
+        model = pelt.Model(keys["v_template"], keys["f"].astype(int))
+        found = metrics.self_intersection_volume(model, pelt.Vertices(rest))
+        self.assertGreaterEqual(found.value.min(), 0)
+        self.assertTrue((found.value <= found.error).all())
+
+    def test_voxels_of_one_body(self):
+        model = pelt.Model(*two_boxes())
+        poses = apart([1.5, 0.25, 0.1], [5, 0, 0])
+        found = metrics.voxel_self_intersection_volume(model, poses, side=0.25)
+        triangles = pelt.posed_vertices(model, poses)[:, two_boxes()[1]]
+        for frame in (0, 1):
+            axes = [np.arange(-12, 28)] * 3
+            centres = (np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3) + 0.5) * 0.25
+            centres = centres[(np.abs(centres[:, 1:]) < 1.5).all(axis=1)]
+            counts = [brute_winding(centre, triangles[frame]) for centre in centres]
+            self.assertTrue(all(is_sure for _, is_sure in counts))
+            windings = np.array([count for count, _ in counts])
+            shared = windings[windings >= 2].sum()
+            self.assertEqual(found.volume[frame], shared * 0.25**3)
+            self.assertEqual(found.percent[frame], 100 * shared / windings.sum())
+        self.assertGreater(found.volume[0], 0)
+        self.refuses("side: expected a positive number", metrics.voxel_self_intersection_volume, model,
+                     poses, side=0)
 
     def test_open_surfaces(self):
         rest, faces = box()

@@ -20,27 +20,32 @@ Two bodies:
     vertices_inside            vertices of each body inside the other
     penetration_frames         frames with penetration (multiphys)
     depth                      depth of the deepest vertex
+    summed_depth               depths of all vertices, summed (PhysiGen)
 Volumes of closed surfaces:
     intersection_volume        inside both of two bodies, exact but for rounding
     self_intersection_volume   of one body with itself
     volume                     of one body
-    voxel_intersection_volume  the voxel convention of humansphereproxy
+    voxel_intersection_volume  inside two or more bodies, by voxels
+    voxel_self_intersection_volume  of one body with itself, by the voxels of humansphereproxy
 """
 
 from pelt.metrics._body_parts import BodyParts
 from pelt.metrics._collisions import (SMPLIFY_X_IGNORED, CappedCollisions, CollidingTriangles,
                                       capped_colliding_triangles, colliding_triangles,
                                       smplify_x_filter)
-from pelt.metrics._penetration import (Depth, InsideVertices, PenetrationFrames, depth,
-                                       penetration_frames, vertices_inside)
+from pelt.metrics._penetration import (Depth, InsideVertices, PenetrationFrames, SummedDepth,
+                                       depth, penetration_frames, summed_depth,
+                                       vertices_inside)
 from pelt.metrics._self_contact import Geodesics, SelfContact, self_contact
 from pelt.metrics._volume import (Volumes, VoxelVolume, intersection_volume,
-                                  self_intersection_volume, volume, voxel_intersection_volume)
+                                  self_intersection_volume, volume, voxel_intersection_volume,
+                                  voxel_self_intersection_volume)
 
 __all__ = [
     "BodyParts", "CappedCollisions", "CollidingTriangles", "Depth", "Geodesics", "InsideVertices",
-    "PenetrationFrames", "SMPLIFY_X_IGNORED", "SelfContact", "Volumes", "VoxelVolume",
+    "PenetrationFrames", "SMPLIFY_X_IGNORED", "SelfContact", "SummedDepth", "Volumes", "VoxelVolume",
     "capped_colliding_triangles", "colliding_triangles", "depth", "intersection_volume",
     "penetration_frames", "self_contact", "self_intersection_volume", "smplify_x_filter",
-    "vertices_inside", "volume", "voxel_intersection_volume",
+    "summed_depth", "vertices_inside", "volume", "voxel_intersection_volume",
+    "voxel_self_intersection_volume",
 ]
