@@ -67,12 +67,24 @@ class Clips(Folder):
         subject = body_models.load(self.body).subject(motion.betas)
         poses = subject.poses(motion)
         percent = metrics.colliding_triangles(subject.model, poses).percent
-        volume = metrics.self_intersection_volume(subject.model, poses).value
+        volume, error = metrics.self_intersection_volume(subject.model, poses)
+        kept = metrics.smplify_x_filter(subject.model, subject.body.parents)
+        filtered = metrics.colliding_triangles(subject.model, poses, kept).pairs
         self.assertEqual(row["colliding_mean"], percent.mean())
         self.assertEqual(row["colliding_max"], percent.max())
         self.assertEqual(row["colliding_frame"], percent.argmax())
-        self.assertEqual(row["volume_max"], volume.max())
+        self.assertEqual(row["filtered_mean"], filtered.mean())
+        self.assertLess(0, filtered.sum())
+        self.assertEqual((row["volume_max"], row["volume_error"]), (volume.max(), error.max()))
         self.assertEqual((row["frames"], row["fps"], row["gender"]), (6, 120.0, "male"))
+
+    def test_each_metric_alone_is_the_same(self):
+        row = datasets.Measurement(self.data, self.body)("a/walk.npz")
+        for name in datasets.METRICS:
+            measure = datasets.Measurement(self.data, self.body, [name])
+            alone = measure("a/walk.npz")
+            self.assertEqual(set(alone), set(measure.columns))
+            self.assertEqual({key: row[key] for key in alone}, alone)
 
     def test_chunks_do_not_change_the_row(self):
         measure = datasets.Measurement(self.data, self.body, ["colliding", "contact"])
@@ -88,7 +100,7 @@ class Clips(Folder):
         faces = generated_body.arrays()["f"][1:]
         open_body = generated_body.save_body(self.root / "open.npz", f=faces)
         row = datasets.Measurement(self.data, open_body, ["volume"])("a/walk.npz")
-        self.assertEqual(row["volume_mean"], "")
+        self.assertEqual((row["volume_mean"], row["volume_error"]), ("", ""))
 
     def test_genders(self):
         self.refuses("gender: no body model for 'male'",
@@ -118,9 +130,15 @@ class Command(Folder):
         (self.data / "a/broken.npz").write_bytes((self.data / "a/run.npz").read_bytes()[:5000])
         (self.data / "a/model.pkl").write_bytes(b"")
         generated_body.save_motion(self.data / "b/wide.npz", poses=np.zeros((6, 165)))
-        result = self.command()
+        failed = self.root / "failed.csv"
+        failed.write_text("an earlier run\n")
+        result = self.command("--failed", failed)
         self.assertEqual(result.returncode, 1)
         self.assertIn("4 clips measured, 3 failed", result.stdout)
+        self.assertEqual([row["clip"] for row in read_rows(failed)],
+                         ["a/broken.npz", "a/model.pkl", "b/wide.npz"])
+        for row in read_rows(failed):
+            self.assertIn(f"failed: {row['reason']}", result.stderr)
         for reason in ("broken.npz: not a complete .npz file", "model.pkl: pickled files can run",
                        "wide.npz: motion: has poses of 55 joints"):
             self.assertIn(reason, result.stderr)
@@ -181,7 +199,8 @@ class Command(Folder):
 
     def test_invalid_arguments(self):
         for more in (("--shard", "0/2"), ("--shard", "3/2"), ("--shard", "two"), ("--every", "x"),
-                     ("--every", "0"), ("--metrics", "nothing"), ("--body-model", "female=absent.npz")):
+                     ("--every", "0"), ("--metrics", "nothing"), ("--body-model", "female=absent.npz"),
+                     ("--failed", self.root / "no" / "folder.csv")):
             with self.subTest(more):
                 self.assertEqual(self.command(*more).returncode, 2)
         self.assertEqual(run_command().returncode, 2)

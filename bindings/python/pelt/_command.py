@@ -1,9 +1,10 @@
 """`python -m pelt metrics`: a table of metrics of all clips of a folder."""
 
 import argparse
+import csv
 import os
 import sys
-from typing import Dict, List, Optional, Tuple
+from typing import Dict, List, Optional, TextIO, Tuple
 
 from pelt._pelt import Error, __version__
 from pelt.datasets import METRICS, Measurement, Table, find_clips
@@ -36,7 +37,8 @@ metrics:
 
 _AFTER_HELP = """
 columns: clip, body_model, every, frames, seconds, fps, gender; for each metric its mean over the frames,
-its max, and the frame of the max.
+its max, and the frame of the max; volume_error, a bound of the error of each volume. `volume` takes
+several times as long as the other metrics together.
 
 exit status: 0 if all clips are in the table, 1 if some could not be measured, 2 for invalid arguments.
 """
@@ -71,6 +73,8 @@ def _add_metrics(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     add("--body-model", metavar="[GENDER=]FILE", action="append", required=True,
         help="body model of all subjects, or of those of a gender; may be given several times")
     add("--out", metavar="FILE", required=True, help="the table, a CSV file")
+    add("--failed", metavar="FILE",
+        help="writes the clips that this run could not measure, and the reasons, to a CSV file")
     add("--metrics", metavar="NAMES", default=",".join(METRICS),
         help="metrics to measure, with commas between them (default: all)")
     add("--every", metavar="N", type=int, default=1, help="measure every Nth frame (default: 1)")
@@ -109,8 +113,7 @@ def _measure_folder(options: argparse.Namespace) -> int:
     measure = Measurement(options.folder, _body_models(options.body_model),
                           [name for name in options.metrics.split(",") if name],
                           every=options.every, body_only=options.body_only, threads=options.threads)
-    failed: List[str] = []
-    with Table(options.out, measure) as table:
+    with Table(options.out, measure) as table, _Failures(options.failed) as failed:
         before = len(table.done)
         for number, clip in enumerate(clips):
             _show_progress(number, len(clips), len(failed), clip)
@@ -119,10 +122,44 @@ def _measure_folder(options: argparse.Namespace) -> int:
             try:
                 table.append(measure(clip))
             except (Error, OSError, MemoryError) as error:
-                failed.append(f"{error}" if isinstance(error, Error) else f"{clip}: {error!r}")
+                failed.append(clip, f"{error}" if isinstance(error, Error) else f"{clip}: {error!r}")
         _show_progress(len(clips), len(clips), len(failed), "")
-        _print_summary(options.out, len(table.done) - before, before, failed)
-    return 1 if failed else 0
+        _print_summary(options.out, len(table.done) - before, before, failed.reasons)
+    return 1 if failed.reasons else 0
+
+
+class _Failures:
+    """Clips that could not be measured. Each row of the file is written at once."""
+
+    def __init__(self, path: Optional[str]) -> None:
+        self.reasons: List[str] = []
+        self._file: Optional[TextIO] = None
+        if path is None:
+            return
+        try:
+            self._file = open(path, "w", newline="", encoding="utf-8", errors="surrogateescape")
+        except OSError as error:
+            raise Error(f"{path}: {error.strerror}") from error
+        self._write("clip", "reason")
+
+    def append(self, clip: str, reason: str) -> None:
+        self.reasons.append(reason)
+        self._write(clip, reason)
+
+    def _write(self, *values: str) -> None:
+        if self._file is not None:
+            csv.writer(self._file, lineterminator="\n").writerow(values)
+            self._file.flush()
+
+    def __len__(self) -> int:
+        return len(self.reasons)
+
+    def __enter__(self) -> "_Failures":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._file is not None:
+            self._file.close()
 
 
 def _show_progress(done: int, count: int, failed: int, clip: str) -> None:

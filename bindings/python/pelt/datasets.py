@@ -24,8 +24,9 @@ import numpy.typing as npt
 from pelt import body_models, metrics, motions
 from pelt._npz import Path
 from pelt._pelt import Error
-from pelt._poses import PosesLike
-from pelt._self_collide import SelfFilter
+from pelt._poses import Vertices
+from pelt._self_collide import SelfFilter, neighbours, self_collide
+from pelt.metrics._collisions import collisions_of
 
 try:
     import fcntl
@@ -37,12 +38,15 @@ Row = Dict[str, Union[str, int, float]]
 __all__ = ["METRICS", "Measurement", "Row", "Table", "find_clips"]
 
 METRICS: Mapping[str, str] = {
-    "colliding": "metrics.colliding_triangles, without a filter, in percent",
+    "colliding": "metrics.colliding_triangles, in percent",
     "filtered": "pairs of triangles that are left after metrics.smplify_x_filter",
     "contact": "metrics.self_contact: vertices in contact, in percent",
     "volume": "metrics.self_intersection_volume, in cubic metres; empty if the body is not closed",
 }
 """Names of metrics, with what they are."""
+
+Columns = Dict[str, npt.NDArray[np.float64]]
+"""Values of metrics in each frame [F]; NaN if they are not defined."""
 
 _CLIP_COLUMNS = ("clip", "body_model", "every", "frames", "seconds", "fps", "gender")
 _AT_A_TIME = 128
@@ -99,11 +103,12 @@ class Measurement:
     def columns(self) -> Tuple[str, ...]:
         """Names of the columns of a row."""
         measured = tuple(f"{name}_{kind}" for name in self.metrics for kind in ("mean", "max", "frame"))
-        return _CLIP_COLUMNS + measured
+        return _CLIP_COLUMNS + measured + (("volume_error",) if "volume" in self.metrics else ())
 
     def __call__(self, clip: str) -> Row:
         """Returns the row of a clip: for each metric its mean over all frames, its maximum, and the
-        frame of the maximum, counted in the frames of the file.
+        frame of the maximum, counted in the frames of the file. `volume_error` bounds the difference
+        of each volume from the exact one.
 
         Raises `pelt.Error` that names the file and the reason.
         """
@@ -115,8 +120,12 @@ class Measurement:
         row: Row = {"clip": clip, "body_model": os.path.basename(path), "every": self.every,
                     "frames": len(motion), "seconds": whole.seconds, "fps": whole.fps,
                     "gender": whole.gender}
-        for name, values in self._values(clip, subject, motion).items():
-            row.update(self._summary(name, values))
+        values = self._values(clip, subject, motion)
+        for name in self.metrics:
+            row.update(self._summary(name, values[name]))
+        if "volume" in self.metrics:
+            error = float(values["volume_error"].max())
+            row["volume_error"] = "" if np.isnan(error) else error
         return row
 
     def _body_model(self, clip: str, gender: str) -> str:
@@ -126,14 +135,13 @@ class Measurement:
         return path
 
     def _values(self, clip: str, subject: "_MeasuredSubject",
-                motion: motions.Motion) -> Dict[str, npt.NDArray[np.float64]]:
+                motion: motions.Motion) -> Columns:
         try:
-            chunks = [[subject.measure(name, poses, self.threads) for name in self.metrics]
+            chunks = [subject.measure(self.metrics, poses, self.threads)
                       for _, poses in subject.chunks(motion, _AT_A_TIME)]
         except Error as error:
             raise Error(f"{os.path.join(self.folder, clip)}: {error}") from error
-        return {name: np.concatenate([chunk[index] for chunk in chunks])
-                for index, name in enumerate(self.metrics)}
+        return {name: np.concatenate([chunk[name] for chunk in chunks]) for name in chunks[0]}
 
     def _summary(self, name: str, values: npt.NDArray[np.float64]) -> Row:
         if np.isnan(values).any():
@@ -156,22 +164,31 @@ class _MeasuredSubject(body_models.Subject):
     def geodesics(self) -> metrics.Geodesics:
         return metrics.Geodesics(self.rest, self.body.faces)
 
-    def measure(self, name: str, poses: PosesLike,
-                threads: Union[int, None]) -> npt.NDArray[np.float64]:
-        """Returns the value of a metric in each frame [F], NaN if it is not defined."""
-        if name == "colliding":
-            return metrics.colliding_triangles(self.model, poses, threads=threads,
-                                               progress=False).percent
-        if name == "filtered":
-            return metrics.colliding_triangles(self.model, poses, self.filter, threads=threads,
-                                               progress=False).pairs.astype(np.float64)
-        if name == "contact":
-            return metrics.self_contact(self.model, poses, self.geodesics, threads=threads,
-                                        progress=False).percent
-        if not self.model.is_closed:
-            return np.full(len(poses), np.nan)  # type: ignore[arg-type]
-        return metrics.self_intersection_volume(self.model, poses, threads=threads,
-                                                progress=False).value
+    def measure(self, names: Sequence[str], poses: Vertices, threads: Union[int, None]) -> Columns:
+        """Returns the values of metrics in each frame, and `volume_error` with the volume."""
+        columns = self._collisions(names, poses, threads)
+        if "contact" in names:
+            columns["contact"] = metrics.self_contact(self.model, poses, self.geodesics,
+                                                      threads=threads, progress=False).percent
+        if "volume" in names and self.model.is_closed:
+            columns["volume"], columns["volume_error"] = metrics.self_intersection_volume(
+                self.model, poses, threads=threads, progress=False)
+        elif "volume" in names:
+            columns["volume"] = columns["volume_error"] = np.full(len(poses), np.nan)
+        return columns
+
+    def _collisions(self, names: Sequence[str], poses: Vertices, threads: Union[int, None]) -> Columns:
+        """One query answers for both metrics of colliding triangles."""
+        columns: Columns = {}
+        if "colliding" in names:
+            contacts = self_collide(self.model, poses, neighbours(self.model), threads=threads,
+                                    progress=False)
+            columns["colliding"] = collisions_of(contacts, self.model.triangle_count).percent
+        if "filtered" in names:
+            left = (self.filter.leave_out(contacts) if "colliding" in names else
+                    self_collide(self.model, poses, self.filter, threads=threads, progress=False))
+            columns["filtered"] = left.per_frame().astype(np.float64)
+        return columns
 
 
 @functools.lru_cache(maxsize=4)
