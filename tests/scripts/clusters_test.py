@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the recipes of docs/clusters.md, each with a worker that is killed.
 
-    clusters_test.py COMMAND DOCUMENT
+    clusters_test.py COMMAND DOCUMENT parallel|slurm
 """
 
 import os
@@ -15,9 +15,12 @@ import unittest
 
 import one_node_slurm
 
-sys.path.append(str(pathlib.Path(__file__).parent.parent / "tools" / "shard"))
+TESTS = pathlib.Path(__file__).parent.parent
+sys.path += [str(TESTS / "tools" / "shard"), str(TESTS / "support")]
 import check_runs  # noqa: E402  pylint: disable=wrong-import-position
+import unittest_program  # noqa: E402  pylint: disable=wrong-import-position
 
+CLUSTER = sys.argv.pop()
 DOCUMENT = pathlib.Path(sys.argv.pop()).read_text(encoding="utf-8")
 COMMAND = sys.argv.pop()
 FRAMES = '"count": 13, "fps": 8'
@@ -41,7 +44,7 @@ def recipe(name):
     return re.search(rf"<!-- recipe: {name} -->\n```sh\n(.*?)```", DOCUMENT, re.DOTALL)[1]
 
 
-class ClusterTests(unittest.TestCase):
+class Cluster(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -80,6 +83,8 @@ class ClusterTests(unittest.TestCase):
         self.assertFalse((self.folder / "contacts.jsonl").exists())
         self.assertFalse((self.folder / "2.shard").exists())
 
+
+class Parallel(Cluster):
     def test_gnu_parallel(self):
         self.require("parallel", "parallel")
         text = recipe("parallel")
@@ -96,6 +101,8 @@ class ClusterTests(unittest.TestCase):
         self.assertEqual(self.sh(recipe("scenes")).returncode, 1)  # one scene has contacts
         self.assertEqual(len(list((self.folder / "answers").iterdir())), 3)
 
+
+class Slurm(Cluster):
     def test_slurm(self):
         reason = one_node_slurm.reason_to_skip()
         if reason:
@@ -115,4 +122,4 @@ class ClusterTests(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest_program.main([{"parallel": "Parallel", "slurm": "Slurm"}[CLUSTER]])
