@@ -14,6 +14,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 ROOT = pathlib.Path(__file__).resolve().parent
+CONTAINED = ("libmeshoptimizer-dev", "nlohmann-json3-dev", "pybind11-dev")
 
 
 def version():
@@ -28,10 +29,21 @@ class CMakeBuild(build_ext):
         folder = pathlib.Path(os.environ.get("PELT_BUILD_FOLDER") or self.configured())
         jobs = ["--parallel", str(os.cpu_count() or 1)]
         subprocess.run(["cmake", "--build", folder, "--target", "pelt_python", *jobs], check=True)
-        built = folder / "python" / "pelt" / ("_pelt" + sysconfig.get_config_var("EXT_SUFFIX"))
-        target = pathlib.Path(self.get_ext_fullpath(ext.name))
-        target.parent.mkdir(parents=True, exist_ok=True)
-        self.copy_file(str(built), str(target))
+        built = folder / "python" / "pelt"
+        target = pathlib.Path(self.get_ext_fullpath(ext.name)).parent
+        target.mkdir(parents=True, exist_ok=True)
+        self.copy_file(str(built / ("_pelt" + sysconfig.get_config_var("EXT_SUFFIX"))), str(target))
+        for library in built.glob("lib*.so*"):
+            self.copy_file(str(library), str(target))
+        self.copy_notices(target / "notices")
+
+    def copy_notices(self, target):
+        """Copies the licences of the libraries that the extension contains, as Debian installs them."""
+        for package in CONTAINED:
+            notice = pathlib.Path("/usr/share/doc") / package / "copyright"
+            if notice.exists():
+                target.mkdir(exist_ok=True)
+                self.copy_file(str(notice), str(target / f"{package}.txt"))
 
     def configured(self):
         """Returns a new build folder for this interpreter."""

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -49,6 +50,11 @@ class Wheel(Case):
             for file in ("pelt/__init__.py", "pelt/_pelt.pyi", "pelt/py.typed"):
                 self.assertIn(file, files)
             self.assertTrue(any(file.endswith("LICENSE") for file in files), files)
+            for library, package in (("libmeshoptimizer", "libmeshoptimizer-dev"), (None, "pybind11-dev"),
+                                     (None, "nlohmann-json3-dev")):
+                self.assertTrue(library is None or any(f"pelt/{library}.so" in file for file in files))
+                if pathlib.Path(f"/usr/share/doc/{package}/copyright").exists():
+                    self.assertIn(f"pelt/notices/{package}.txt", files)
             self.run_clean(sys.executable, "-m", "venv", "--system-site-packages", folder / "env",
                            cwd=folder)
             python = folder / "env" / "bin" / "python"
@@ -56,6 +62,9 @@ class Wheel(Case):
             printed = self.run_clean(python, "-c", "import pelt; print(pelt.__file__, pelt.__version__)",
                                      cwd=folder)
             self.assertIn(str(folder / "env"), printed)
+            mapped = self.run_clean(python, "-c", "import pelt; print(open('/proc/self/maps').read())",
+                                    cwd=folder)
+            self.assertRegex(mapped, rf"{re.escape(str(folder))}/env/.*/pelt/libmeshoptimizer.so")
 
 
 if __name__ == "__main__":
