@@ -1,5 +1,6 @@
 """pelt.metrics on shapes with known answers."""
 
+import inspect
 import itertools
 import unittest
 
@@ -75,6 +76,21 @@ def brute_winding(point, triangles):
              + (b * c).sum(1) * lengths[0] + (c * a).sum(1) * lengths[1])
     exact = 2 * np.arctan2(volume, below).sum() / (4 * np.pi)
     return round(exact), abs(exact - round(exact)) < 1e-6
+
+
+class Help(Case):
+    def test_states_source_shapes_and_units(self):
+        functions = [name for name in metrics.__all__ if inspect.isfunction(getattr(metrics, name))]
+        self.assertGreater(len(functions), 12)
+        units = "percent|model units|units: see|without unit|number of vertices|pairs of triangles|how many"
+        for name in functions:
+            text = inspect.getdoc(getattr(metrics, name))
+            with self.subTest(name):
+                self.assertIn(name, metrics.__doc__)
+                for part in ("Definition: ", "Source: ", units, r"[\[ ][FT][,\] ]|Arguments: see"):
+                    self.assertRegex(text, part)
+        for name in set(metrics.__all__) - set(functions):
+            self.assertTrue(inspect.getdoc(getattr(metrics, name)), name)
 
 
 class Collisions(Case):

@@ -94,6 +94,8 @@ def capped_colliding_triangles(model: Model, poses: PosesLike, faces: Array, *, 
                                threads: Optional[int] = None) -> CappedCollisions:
     """Returns the share of colliding triangles as torch-mesh-isect counts it, in each frame.
 
+    model:  T triangles.
+    poses:  F frames: palettes [F, J, 4, 4], `Poses` or `Vertices`.
     faces:  [T, 3] the triangles of the model.
     cap:    `max_collisions`; 8 is the default of torch-mesh-isect.
 
@@ -166,6 +168,7 @@ def smplify_x_filter(model: Model, joint_parents: Optional[Array] = None, *,
                      ignored_pairs: Sequence[Tuple[int, int]] = SMPLIFY_X_IGNORED) -> SelfFilter:
     """Returns the filter that leaves out the pairs of triangles that SMPLify-X leaves out.
 
+    model:            T triangles, J joints.
     joint_parents:    [J] parent of each joint, -1 for none: each triangle belongs to the joint with
                       the largest sum of weights over its corners.
     segments:         [T] part of each triangle, instead of the joints: the `segm` of a parts file.

@@ -76,7 +76,8 @@ def vertices_inside(model_a: Model, poses_a: PosesLike, model_b: Model, poses_b:
     """Returns how many vertices of each of two bodies are inside the other one, in each frame.
 
     model_a, model_b:  closed surfaces.
-    poses_a, poses_b:  F frames, in one frame of reference.
+    poses_a, poses_b:  F frames, or one, in one frame of reference: palettes [F, J, 4, 4], `Poses` or
+                       `Vertices`.
 
     Definition: a vertex is inside if the winding number of the other surface around it is not 0. A
     vertex on the surface is outside.

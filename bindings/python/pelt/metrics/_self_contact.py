@@ -57,14 +57,18 @@ class SelfContact(NamedTuple):
 
 def self_contact(model: Model, poses: PosesLike, geodesics: Geodesics, *, distance: float = 0.02,
                  threads: Optional[int] = None, progress: Progress = None) -> SelfContact:
-    """Returns the vertices of a body that touch the body, in each frame.
+    """Returns the vertices of a body that touch the body, in each frame, and the share in percent.
 
+    model:      V vertices.
+    poses:      F frames: palettes [F, J, 4, 4], `Poses` or `Vertices`.
     geodesics:  of the rest positions of the model.
     distance:   threshold, in model units. Default: 2 cm in metres.
 
     Definition: a vertex is in contact if another vertex is nearer than `distance`, and at least
     `geodesics.limit` (30 cm) away along the surface of the rest pose.
-    Source: TUCH (Mueller et al. 2021), selfcontact/selfcontact.py.
+    Source: TUCH (Mueller et al. 2021), selfcontact/selfcontact.py: `geothres` 0.3, `euclthres` 0.02.
+    There, one file with geodesic distances of the mean shape serves all subjects: for that, make
+    `Geodesics` of the rest positions of the mean shape.
 
     Misjudges: the distance is one of vertices, so large triangles can touch unnoticed. Parts less than
     30 cm apart along the surface, such as fingertip and palm, are never in contact. Vertices inside

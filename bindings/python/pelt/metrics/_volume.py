@@ -40,10 +40,15 @@ class VoxelVolume(NamedTuple):
 
 def volume(model: Model, poses: PosesLike, *, threads: Optional[int] = None,
            progress: Progress = None) -> Volumes:
-    """Returns the volume of a closed body, in each frame.
+    """Returns the volume of a closed body, in each frame, in cubed model units.
+
+    model:  a closed surface.
+    poses:  F frames: palettes [F, J, 4, 4], `Poses` or `Vertices`.
 
     Definition: the integral of the winding number. Regions that the surface encloses twice count
     twice, and regions that are inside out count negatively. The cost is O(V + T) for each frame.
+    Source: the divergence theorem, as `Trimesh.volume` of trimesh uses it, there in floating point
+    without a bound of the error.
 
     Raises `pelt.Error` if the surface of the model is not closed.
     """
@@ -54,7 +59,10 @@ def volume(model: Model, poses: PosesLike, *, threads: Optional[int] = None,
 
 def self_intersection_volume(model: Model, poses: PosesLike, *, threads: Optional[int] = None,
                              progress: Progress = None) -> Volumes:
-    """Returns the volume that a closed body shares with itself, in each frame.
+    """Returns the volume that a closed body shares with itself, in each frame, in cubed model units.
+
+    model:  a closed surface.
+    poses:  F frames: palettes [F, J, 4, 4], `Poses` or `Vertices`.
 
     Definition: the integral of w (w - 1) / 2, where w is the winding number: a region that the surface
     encloses twice counts once. A region that is inside out, with w = -1, counts once, too. Rounding
@@ -74,9 +82,11 @@ def self_intersection_volume(model: Model, poses: PosesLike, *, threads: Optiona
 
 def intersection_volume(model_a: Model, poses_a: PosesLike, model_b: Model, poses_b: PosesLike, *,
                         threads: Optional[int] = None, progress: Progress = None) -> Volumes:
-    """Returns the volume inside two closed bodies, in each frame.
+    """Returns the volume inside two closed bodies, in each frame, in cubed model units.
 
-    poses_a, poses_b:  F frames, in one frame of reference.
+    model_a, model_b:  closed surfaces.
+    poses_a, poses_b:  F frames, or one, in one frame of reference: palettes [F, J, 4, 4], `Poses` or
+                       `Vertices`.
 
     Definition: the integral of the product of the winding numbers, which is the volume of the points
     inside both bodies if neither intersects itself. All decisions are exact; the value has a stated
@@ -94,7 +104,8 @@ def intersection_volume(model_a: Model, poses_a: PosesLike, model_b: Model, pose
 
 def voxel_intersection_volume(bodies: Sequence[Tuple[Model, PosesLike]], *, side: float = 0.06,
                               threads: Optional[int] = None) -> VoxelVolume:
-    """Returns the volume that is inside two or more bodies, in steps of a voxel, in each frame.
+    """Returns the volume that is inside two or more bodies, in steps of a voxel, in each frame, in cubed
+    model units.
 
     bodies:  (model, poses) of closed surfaces; poses have F frames, or one. For a body with itself see
              `voxel_self_intersection_volume`; the parts of `BodyParts` are bodies, too.
@@ -127,10 +138,12 @@ def voxel_intersection_volume(bodies: Sequence[Tuple[Model, PosesLike]], *, side
 
 def voxel_self_intersection_volume(model: Model, poses: PosesLike, *, side: float = 0.06,
                                    threads: Optional[int] = None) -> VoxelVolume:
-    """Returns the volume that a closed body shares with itself, in steps of a voxel, in each frame.
+    """Returns the volume that a closed body shares with itself, in steps of a voxel, in each frame, in
+    cubed model units.
 
-    model, poses:  a closed surface, F frames.
-    side:          of a voxel, in model units. Default: 6 cm in metres.
+    model:  a closed surface.
+    poses:  F frames: palettes [F, J, 4, 4], `Poses` or `Vertices`.
+    side:   of a voxel, in model units. Default: 6 cm in metres.
 
     Definition: the in-count of a voxel is the winding number of the surface around its centre. The
     volume is the sum of all in-counts of 2 or more, times side^3: a region that the surface encloses
