@@ -58,6 +58,22 @@ class Bodies(Case):
         self.assertTrue(np.array_equal(np.concatenate([poses.positions for _, poses in chunks]),
                                        subject.poses(motion).positions))
 
+    def test_a_frame_does_not_depend_on_others(self):
+        keys = generated_body.motion_keys(frames=19)
+        keys["poses"][5:16, 66:] = 0  # hands at rest
+        keys["poses"][3] = 0
+        motion = self.motion(**keys)
+        subject = self.body().subject(motion.betas)
+        whole = subject.poses(motion, threads=1).positions
+        self.assertTrue(np.array_equal(subject.poses(motion, threads=2).positions, whole))
+        for frame in range(19):
+            alone = subject.poses(motion[frame:frame + 1]).positions[0]
+            self.assertTrue(np.array_equal(alone, whole[frame]), frame)
+            expected = generated_body.reference_vertices(
+                generated_body.arrays(), motion.betas, motion.poses[frame], motion.translations[frame])
+            self.assertLess(np.abs(alone - expected).max(), 2e-6)
+        self.refuses("threads: expected 1", subject.poses, motion, threads=0)
+
     def test_joints_depend_on_the_shape(self):
         body = self.body()
         self.assertGreater(np.abs(body.subject([3]).joints - body.subject().joints).max(), 1e-5)

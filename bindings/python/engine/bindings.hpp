@@ -15,6 +15,7 @@ void add_self_distance(pybind11::module_& module);
 void add_motion(pybind11::module_& module);
 void add_distance(pybind11::module_& module);
 void add_rays(pybind11::module_& module);
+void add_body_vertices(pybind11::module_& module);
 void add_bounds(pybind11::module_& module);
 void add_inside(pybind11::module_& module);
 void add_contact_geometry(pybind11::module_& module);

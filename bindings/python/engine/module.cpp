@@ -20,4 +20,5 @@ PYBIND11_MODULE(_pelt, module) {
   pelt::python::add_inside(module);
   pelt::python::add_contact_geometry(module);
   pelt::python::add_volume(module);
+  pelt::python::add_body_vertices(module);
 }

@@ -11,16 +11,18 @@
 Positions are in metres. The frame is that of the motion: z is up in AMASS.
 """
 
-from typing import Any, Dict, Iterator, Tuple, cast
+from typing import Any, Dict, Iterator, Optional, Tuple, cast
 
 import numpy as np
 import numpy.typing as npt
 
+from pelt import _pelt
 from pelt._arrays import Array, floats
 from pelt._model import Model
 from pelt._npz import Npz, Path, refuse_pickle
 from pelt._pelt import Error
-from pelt._poses import Poses, Vertices
+from pelt._poses import Vertices
+from pelt._run import run
 from pelt.motions import Motion
 
 Doubles = npt.NDArray[np.float64]
@@ -102,23 +104,25 @@ class Subject:
         joints."""
         return self._palettes(self._rotations(motion), motion.translations)
 
-    def poses(self, motion: Motion) -> Vertices:
+    def poses(self, motion: Motion, *, threads: Optional[int] = None) -> Vertices:
         """Returns the vertices [F, V, 3] of a motion, in float32, with pose correctives: the positions
-        of `smplx.lbs` for the same parameters.
+        of `smplx.lbs` for the same parameters, computed in float64.
 
         Takes 12 F V bytes: use `chunks` for long clips.
         """
         turns = self._rotations(motion)
         palettes = self._palettes(turns, motion.translations)
-        positions = np.empty((len(motion), len(self.rest), 3), np.float32)
-        for frame, (turn, palette) in enumerate(zip(turns, palettes)):
-            positions[frame] = self._posed(turn, palette)
-        return Vertices(positions)
+        features = (turns[:, 1:] - np.eye(3)).reshape(len(motion), -1)
+        with run("poses", len(motion), threads, False) as how:
+            return Vertices(_pelt.body_vertices(
+                self.rest, self.body.pose_directions, self.body.weights, features,
+                palettes[:, :, :3].reshape(*palettes.shape[:2], 12), how))
 
-    def chunks(self, motion: Motion, frames: int = 128) -> Iterator[Tuple[int, Vertices]]:
+    def chunks(self, motion: Motion, frames: int = 128, *,
+               threads: Optional[int] = None) -> Iterator[Tuple[int, Vertices]]:
         """Yields the first frame and the `poses` of at most `frames` consecutive frames at a time."""
         for first in range(0, len(motion), frames):
-            yield first, self.poses(motion[first:first + frames])
+            yield first, self.poses(motion[first:first + frames], threads=threads)
 
     def _rotations(self, motion: Motion) -> Doubles:
         count = self.body.joint_count
@@ -140,14 +144,6 @@ class Subject:
         # The inverse bind matrix of a joint is the translation by minus its rest position.
         world[:, :, :3, 3] -= np.einsum("fjab,jb->fja", world[:, :, :3, :3], self.joints)
         return world
-
-    def _posed(self, turns: Doubles, palette: Doubles) -> Doubles:
-        feature = (turns[1:] - np.eye(3)).reshape(-1)
-        corrected = self.rest + self.body.pose_directions @ feature
-        blend = self.body.weights @ palette[:, :3].reshape(len(palette), 12)
-        matrices = blend.reshape(-1, 3, 4)
-        return cast(Doubles, np.einsum("vab,vb->va", matrices[:, :, :3], corrected)
-                    + matrices[:, :, 3])
 
 
 def rotations(axis_angles: Array) -> Doubles:

@@ -138,7 +138,7 @@ class Measurement:
                 motion: motions.Motion) -> Columns:
         try:
             chunks = [subject.measure(self.metrics, poses, self.threads)
-                      for _, poses in subject.chunks(motion, _AT_A_TIME)]
+                      for _, poses in subject.chunks(motion, _AT_A_TIME, threads=self.threads)]
         except Error as error:
             raise Error(f"{os.path.join(self.folder, clip)}: {error}") from error
         return {name: np.concatenate([chunk[name] for chunk in chunks]) for name in chunks[0]}
