@@ -106,7 +106,21 @@ class Clips(Folder):
         self.refuses("gender: no body model for 'male'",
                      datasets.Measurement(self.data, {"female": self.body}), "a/walk.npz")
 
+    def test_betas(self):
+        few = generated_body.save_body(self.root / "few.npz",
+                                       shapedirs=generated_body.arrays()["shapedirs"][:, :, :10])
+        self.refuses("walk.npz: betas: 16 shape parameters, but .*few.npz has 10: .*--betas 10",
+                     datasets.Measurement(self.data, few), "a/walk.npz")
+        rows = [datasets.Measurement(self.data, body, ["volume"], betas=10)("a/walk.npz")
+                for body in (few, self.body)]
+        self.assertEqual(rows[0]["volume_max"], rows[1]["volume_max"])
+        self.assertEqual(rows[0]["options"], "betas=10")
+        shapes = {datasets.Measurement(self.data, self.body, ["volume"], betas=betas)("a/walk.npz")
+                  ["volume_max"] for betas in (0, 10, None)}
+        self.assertEqual(len(shapes), 3)
+
     def test_refused(self):
+        self.refuses("betas: expected 0", datasets.Measurement, self.data, self.body, betas=-1)
         self.refuses("metrics: unknown 'depth'", datasets.Measurement, self.data, self.body, ["depth"])
         self.refuses("every: expected 1", datasets.Measurement, self.data, self.body, every=0)
 
@@ -157,7 +171,9 @@ class Command(Folder):
     def test_other_measurements_are_refused(self):
         self.command("--metrics", "colliding")
         for more, message in [(("--metrics", "contact"), "has other columns"),
-                              (("--metrics", "colliding", "--every", 2), "row 2 is of another")]:
+                              (("--metrics", "colliding", "--every", 2), "row 2 is of another"),
+                              (("--metrics", "colliding", "--betas", 3), "row 2 is of another"),
+                              (("--metrics", "colliding", "--body-only"), "row 2 is of another")]:
             result = self.command(*more)
             self.assertEqual(result.returncode, 2)
             self.assertIn(message, result.stderr)

@@ -36,9 +36,9 @@ metrics:
 """
 
 _AFTER_HELP = """
-columns: clip, body_model, every, frames, seconds, fps, gender; for each metric its mean over the frames,
+columns: clip, body_model, options, every, frames, seconds, fps, gender; for each metric its mean over the frames,
 its max, and the frame of the max; volume_error, a bound of the error of each volume. `volume` takes
-several times as long as the other metrics together.
+about ten times as long as the other metrics together.
 
 exit status: 0 if all clips are in the table, 1 if some could not be measured, 2 for invalid arguments.
 """
@@ -80,6 +80,9 @@ def _add_metrics(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     add("--every", metavar="N", type=int, default=1, help="measure every Nth frame (default: 1)")
     add("--body-only", action="store_true",
         help="ignore the rotations of hands and face; motions then fit body models of all kinds")
+    add("--betas", metavar="N", type=int, default=None,
+        help="use only the first N shape parameters of each motion, for body models that have fewer "
+             "than the motions; 0 is the mean shape")
     add("--shard", metavar="I/N", type=_shard, default=(1, 1),
         help="measure only the I-th of N parts of the clips, for N processes or machines, each with "
              "its own table")
@@ -112,7 +115,8 @@ def _measure_folder(options: argparse.Namespace) -> int:
     clips = find_clips(options.folder)[part - 1::count]
     measure = Measurement(options.folder, _body_models(options.body_model),
                           [name for name in options.metrics.split(",") if name],
-                          every=options.every, body_only=options.body_only, threads=options.threads)
+                          every=options.every, body_only=options.body_only, betas=options.betas,
+                          threads=options.threads)
     with Table(options.out, measure) as table, _Failures(options.failed) as failed:
         before = len(table.done)
         for number, clip in enumerate(clips):

@@ -48,7 +48,7 @@ METRICS: Mapping[str, str] = {
 Columns = Dict[str, npt.NDArray[np.float64]]
 """Values of metrics in each frame [F]; NaN if they are not defined."""
 
-_CLIP_COLUMNS = ("clip", "body_model", "every", "frames", "seconds", "fps", "gender")
+_CLIP_COLUMNS = ("clip", "body_model", "options", "every", "frames", "seconds", "fps", "gender")
 _AT_A_TIME = 128
 
 
@@ -78,26 +78,37 @@ class Measurement:
     every:         measure every n-th frame only.
     body_only:     ignore the joints beyond the body, such as those of the hands, see
                    `motions.Motion.body_only`.
+    betas:         use only the first n shape parameters of each clip; 0 is the mean shape. Default: all.
     threads:       of each clip; default: all processors. The row is the same for any number.
     """
 
     def __init__(self, folder: Path, body_models: Union[Path, Mapping[str, Path]],
                  metrics: Sequence[str] = tuple(METRICS), *, every: int = 1,
-                 body_only: bool = False, threads: Union[int, None] = None) -> None:
+                 body_only: bool = False, betas: Union[int, None] = None,
+                 threads: Union[int, None] = None) -> None:
         given = body_models if isinstance(body_models, Mapping) else {"": body_models}
         self.folder = os.fspath(folder)
         self.body_models = {gender: os.fspath(path) for gender, path in given.items()}
         self.metrics = tuple(metrics)
         self.every = every
         self.body_only = body_only
+        self.betas = betas
         self.threads = threads
         unknown = [name for name in self.metrics if name not in METRICS]
         if unknown:
             raise Error(f"metrics: unknown {unknown[0]!r}, expected {', '.join(METRICS)}")
         if every < 1:
             raise Error(f"every: expected 1 or more, found {every}")
+        if betas is not None and betas < 0:
+            raise Error(f"betas: expected 0 or more, found {betas}")
         for path in self.body_models.values():
             _body(path)  # rather one error now than one for each clip
+
+    @property
+    def options(self) -> str:
+        """What else decides the values of a row, as the table states it."""
+        return " ".join((["body-only"] if self.body_only else [])
+                        + ([f"betas={self.betas}"] if self.betas is not None else []))
 
     @property
     def columns(self) -> Tuple[str, ...]:
@@ -114,12 +125,12 @@ class Measurement:
         """
         whole = motions.load(os.path.join(self.folder, clip))
         path = self._body_model(clip, whole.gender)
-        subject = _subject(path, whole.betas.tobytes())
+        subject = self._subject(clip, path, whole.betas[:self.betas])
         motion = whole.body_only(subject.body.joint_count) if self.body_only else whole
         motion = motion[::self.every]
-        row: Row = {"clip": clip, "body_model": os.path.basename(path), "every": self.every,
-                    "frames": len(motion), "seconds": whole.seconds, "fps": whole.fps,
-                    "gender": whole.gender}
+        row: Row = {"clip": clip, "body_model": os.path.basename(path), "options": self.options,
+                    "every": self.every, "frames": len(motion), "seconds": whole.seconds,
+                    "fps": whole.fps, "gender": whole.gender}
         values = self._values(clip, subject, motion)
         for name in self.metrics:
             row.update(self._summary(name, values[name]))
@@ -133,6 +144,14 @@ class Measurement:
         if path is None:
             raise Error(f"{os.path.join(self.folder, clip)}: gender: no body model for {gender!r}")
         return path
+
+    def _subject(self, clip: str, path: str,
+                 betas: npt.NDArray[np.float64]) -> "_MeasuredSubject":
+        most = _body(path).shape_directions.shape[2]
+        if len(betas) > most:
+            raise Error(f"{os.path.join(self.folder, clip)}: betas: {len(betas)} shape parameters, but "
+                        f"{path} has {most}: measure with `--betas {most}`, or betas={most}")
+        return _subject(path, betas.tobytes())
 
     def _values(self, clip: str, subject: "_MeasuredSubject",
                 motion: motions.Motion) -> Columns:
@@ -261,9 +280,10 @@ class Table:
             raise Error(f"{self.path}: has other columns than this measurement: choose another file")
         names = {os.path.basename(path) for path in measure.body_models.values()}
         for number, row in enumerate(rows[1:], 2):
-            if len(row) != len(self._columns) or row[1] not in names or row[2] != str(measure.every):
+            made_by = (measure.options, str(measure.every))
+            if len(row) != len(self._columns) or row[1] not in names or tuple(row[2:4]) != made_by:
                 raise Error(f"{self.path}: row {number} is of another measurement (other body models, "
-                            f"or other frames): choose another file")
+                            f"options or frames): choose another file")
             self.done.add(row[0])
 
     def _write(self, values: Sequence[object]) -> None:
