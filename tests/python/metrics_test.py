@@ -119,38 +119,46 @@ class Collisions(Case):
         self.assertEqual(metrics.colliding_triangles(model, poses).pairs.tolist(), [0])
         all_pairs = metrics.colliding_triangles(model, poses, pelt.SelfFilter(model)).pairs
         self.assertEqual(all_pairs.tolist(), [2])
+        unrelated = metrics.smplify_x_filter(model, segments=[3, 5, 3, 5], segment_parents=[-1] * 4)
+        self.assertEqual(metrics.colliding_triangles(model, poses, unrelated).pairs.tolist(), [0])
         self.assertEqual(metrics.capped_colliding_triangles(model, poses, faces).pairs.tolist(), [0])
 
     def test_cap(self):
         rest, faces, weights = two_boxes()
-        model, poses = pelt.Model(rest, faces, weights), apart([1.5, 0.3, 0.2], [9, 0, 0])
+        random = np.random.default_rng(4)
+        poses = apart([9, 0, 0], *random.uniform(0.1, 1.9, (12, 3)))
+        model = pelt.Model(rest, faces, weights)
         pairs = metrics.colliding_triangles(model, poses).pairs
-        self.assertGreater(pairs[0], 10)
-        lost = 0
-        for cap in (0, 1, 2, 3, 4, 8):
+        lost = last = 0
+        for cap in (0, 1, 2, 3, 4, 12):
             capped = metrics.capped_colliding_triangles(model, poses, faces, cap=cap)
-            for frame in (0, 1):
-                kept, hits = self.by_brute_force(model, poses[frame:frame + 1], faces, cap)
+            for frame in range(13):
+                kept, hits, is_last = self.by_brute_force(model, poses[frame:frame + 1], faces, cap)
                 self.assertEqual((capped.pairs[frame], capped.box_hits[frame]), (kept, hits))
                 self.assertEqual(capped.percent[frame], kept * (100 / 24))
                 self.assertEqual(capped.pairs[frame] + capped.lost[frame], pairs[frame])
                 if hits <= cap * 24:
                     self.assertEqual(capped.lost[frame], 0)
-            lost += capped.lost[0] > 0
-        self.assertGreater(lost, 1)
-        self.assertEqual(capped.lost.tolist(), [0, 0])
+                last += is_last
+            lost += np.count_nonzero(capped.lost)
+        self.assertGreater(lost, 20)
+        self.assertGreater(last, 5)
+        self.assertEqual(capped.lost.tolist(), [0] * 13)
         self.refuses("faces: expected the shape", metrics.capped_colliding_triangles, model, poses,
                      faces[1:])
 
     def by_brute_force(self, model, poses, faces, cap):
-        """Returns the pairs among the first cap x T box hits, and all box hits."""
+        """Returns the number of pairs among the first cap x T box hits, the number of all box hits, and
+        whether the first one beyond the cap is a pair."""
         triangles = pelt.posed_vertices(model, poses)[0][faces]
         pairs = set(zip(*pelt.self_collide(model, poses, pelt.SelfFilter(model, rings=1))
                         .in_frame(0).T))
         hits = [(a, b) for a in range(len(faces)) for b in range(a + 1, len(faces))
                 if all(triangles[a][:, k].min() <= triangles[b][:, k].max()
                        and triangles[b][:, k].min() <= triangles[a][:, k].max() for k in range(3))]
-        return sum(hit in pairs for hit in hits[:cap * len(faces)]), len(hits)
+        most = cap * len(faces)
+        return (sum(hit in pairs for hit in hits[:most]), len(hits),
+                any(hit in pairs for hit in hits[most:most + 1]))
 
     def test_box_hits_of_a_body(self):
         keys = generated_body.arrays()
