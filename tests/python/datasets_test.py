@@ -158,6 +158,12 @@ class Command(Folder):
             self.assertIn(reason, result.stderr)
         self.assertEqual(len(read_rows(self.table)), 4)
 
+    def test_a_log_has_a_line_each_minute(self):
+        with unittest.mock.patch("pelt._command._SECONDS_BETWEEN_LINES", 0):
+            lines = self.command("--metrics", "colliding").stderr.splitlines()
+        self.assertEqual(lines[0], "0 of 4 clips, 0 failed  a/run.npz")
+        self.assertEqual(len(lines), 5)
+
     def test_resumes(self):
         self.command()
         whole = self.table.read_bytes()

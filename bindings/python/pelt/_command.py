@@ -4,10 +4,13 @@ import argparse
 import csv
 import os
 import sys
+import time
 from typing import Dict, List, Optional, TextIO, Tuple
 
 from pelt._pelt import Error, __version__
 from pelt.datasets import METRICS, Measurement, Table, find_clips
+
+_SECONDS_BETWEEN_LINES = 60
 
 _HELP = """Pelt finds which triangles of skinned characters touch.
 
@@ -119,15 +122,16 @@ def _measure_folder(options: argparse.Namespace) -> int:
                           threads=options.threads)
     with Table(options.out, measure) as table, _Failures(options.failed) as failed:
         before = len(table.done)
+        progress = _Progress(len(clips))
         for number, clip in enumerate(clips):
-            _show_progress(number, len(clips), len(failed), clip)
+            progress.show(number, len(failed), clip)
             if clip in table.done:
                 continue
             try:
                 table.append(measure(clip))
             except (Error, OSError, MemoryError) as error:
                 failed.append(clip, f"{error}" if isinstance(error, Error) else f"{clip}: {error!r}")
-        _show_progress(len(clips), len(clips), len(failed), "")
+        progress.show(len(clips), len(failed), "")
         _print_summary(options.out, len(table.done) - before, before, failed.reasons)
     return 1 if failed.reasons else 0
 
@@ -166,10 +170,21 @@ class _Failures:
             self._file.close()
 
 
-def _show_progress(done: int, count: int, failed: int, clip: str) -> None:
-    if sys.stderr.isatty():
-        text = f"{done} of {count} clips, {failed} failed  {clip}"
-        print(f"\r{text[:99]:99}", end="" if done < count else "\n", file=sys.stderr, flush=True)
+class _Progress:
+    """A line that is overwritten on a terminal; in the log of a cluster, one more line each minute."""
+
+    def __init__(self, count: int) -> None:
+        self._count = count
+        self._last = time.monotonic()
+
+    def show(self, done: int, failed: int, clip: str) -> None:
+        text = f"{done} of {self._count} clips, {failed} failed  {clip}"
+        if sys.stderr.isatty():
+            end = "" if done < self._count else "\n"
+            print(f"\r{text[:99]:99}", end=end, file=sys.stderr, flush=True)
+        elif time.monotonic() >= self._last + _SECONDS_BETWEEN_LINES:
+            self._last = time.monotonic()
+            print(text, file=sys.stderr, flush=True)
 
 
 def _print_summary(path: str, measured: int, before: int, failed: List[str]) -> None:
