@@ -419,6 +419,22 @@ class Parts(Case):
             self.assertEqual(inside.shape, (1, len(self.rest)))
         self.assertGreater(touching, 10)
 
+    def test_holes_of_a_body_are_closed(self):
+        holes = [5, 6, 100, 300]  # two neighbours and two others
+        opened = np.delete(self.faces, holes, axis=0)
+        model = pelt.Model(self.rest, opened)
+        self.assertFalse(model.is_closed)
+        whole = metrics.BodyParts(self.rest, opened, np.zeros(len(self.rest), int))
+        self.assertTrue(whole.model(0).is_closed)
+        pushed = self.rest.copy()
+        pushed[self.rest[:, 0] > 0.25] -= [0.45, 0.2, 0]
+        poses = np.stack([self.rest, pushed])
+        expected = metrics.self_intersection_volume(pelt.Model(self.rest, self.faces),
+                                                    pelt.Vertices(poses)).value
+        found = metrics.self_intersection_volume(whole.model(0), whole.poses(0, poses)).value
+        self.assertGreater(expected[1], 0.001)
+        self.assertLess(np.abs(found - expected).max(), 1e-5)
+
     def test_refused(self):
         self.refuses("parts: expected the shape", metrics.BodyParts, self.rest, self.faces, [0])
         wings = [[0, 1, 2], [1, 0, 3], [0, 1, 4]]

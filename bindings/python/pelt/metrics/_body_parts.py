@@ -38,7 +38,8 @@ class BodyParts:
     parts:  [V] number of the part of each vertex; for example `weights.argmax(axis=1)`.
 
     A part has the triangles whose three corners are of the part, and a fan around the mean of each
-    boundary. Parts may be ragged, have islands, and have boundaries that touch each other.
+    boundary. Parts may be ragged, have islands, and have boundaries that touch each other. With a
+    single part, the holes of an open body such as SMPL-X are closed.
 
     Source: TUCH, selfcontact/body_segmentation.py: `BodySegment`, which closes hand-picked segments by
     fans around the means of hand-picked boundaries.
