@@ -47,6 +47,12 @@ class Layouts(Files):
         self.assertEqual(self.saved(gender=None).gender, "unknown")
         self.assertEqual(self.saved(gender=np.array("male", object)).gender, "unknown")
 
+    def test_betas_of_a_batch_of_one(self):
+        betas = np.arange(16.0)
+        self.assertEqual(self.saved(betas=betas[np.newaxis]).betas.tolist(), betas.tolist())
+        self.refuses(r"betas: expected the shape \[1, B\], found \[2, 8\]", self.saved,
+                     betas=betas.reshape(2, 8))
+
     def test_slices(self):
         motion = self.saved()
         self.assertEqual((len(motion[::2]), motion[::2].fps), (3, 60.0))

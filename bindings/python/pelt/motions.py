@@ -92,7 +92,7 @@ def load(path: Path) -> Motion:
     with Npz(path) as npz:
         poses = _poses(npz, sizes)
         translations = npz.floats("trans", ("F", 3), sizes)
-        betas = npz.floats("betas", ("B",)) if "betas" in npz.keys else np.zeros(0)
+        betas = _betas(npz) if "betas" in npz.keys else np.zeros(0)
         gender = npz.text("gender") or "unknown"
         return Motion(poses, translations, betas, _frames_per_second(npz), gender.lower())
 
@@ -117,6 +117,13 @@ def _poses_of_parts(npz: Npz, sizes: Dict[str, int]) -> Doubles:
         parts += [npz.floats("pose_jaw", ("F", 3), sizes), npz.floats("pose_eye", ("F", 6), sizes)]
     parts.append(npz.floats("pose_hand", ("F", 90), sizes))
     return np.concatenate(parts, axis=1)
+
+
+def _betas(npz: Npz) -> Doubles:
+    # [B] in AMASS; what smplx writes has an axis for a batch of one.
+    if npz.axes("betas") == 1:
+        return npz.floats("betas", ("B",))
+    return npz.floats("betas", (1, "B")).reshape(-1)
 
 
 def _frames_per_second(npz: Npz) -> float:
