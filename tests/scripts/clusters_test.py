@@ -101,6 +101,20 @@ class Parallel(Cluster):
         self.assertEqual(self.sh(recipe("scenes")).returncode, 1)  # one scene has contacts
         self.assertEqual(len(list((self.folder / "answers").iterdir())), 3)
 
+    def test_a_list_in_shards(self):
+        self.require("parallel", "parallel")
+        (self.folder / "scenes").mkdir()
+        for i in range(7):
+            self.write_scene(f"scenes/{i}.json", 0.7 + 4 * (i % 2), "../limb.glb")
+        text = recipe("list")
+        self.expect_a_lost_shard(self.sh(text))
+        self.assertEqual(self.sh(text).returncode, 1)
+        calls = (self.folder / "list.log").read_text().count("--shard")
+        self.assertEqual(calls, 5, "only the killed shard is written again")
+        self.sh("pelt check --scenes scenes.txt --jsonl expected.jsonl")
+        self.assertEqual((self.folder / "answers.jsonl").read_bytes(),
+                         (self.folder / "expected.jsonl").read_bytes())
+
 
 class Slurm(Cluster):
     def test_slurm(self):

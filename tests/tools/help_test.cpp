@@ -62,6 +62,7 @@ TEST_P(HelpExamples, Run) {
   scene.replace(scene.find("\"count\": 12, \"fps\": 6"), 21, "\"count\": 60, \"fps\": 30");
   write_limbs(folder);
   write_text(folder / "scene.json", scene);
+  write_text(folder / "scenes.txt", "scene.json\nknight.glb\n");
   write_character(folder, "knight.glb");
   write_character(folder, "barbarian.glb");
   const std::vector<std::string> examples = examples_of(help.out);

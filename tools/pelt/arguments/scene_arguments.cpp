@@ -52,7 +52,8 @@ Result<void> check_for_models(const SceneArguments& arguments) {
   for (const std::string& input : arguments.inputs) {
     if (!is_scene_file(input)) continue;
     return output::bad_argument(input, "is a scene file, but other files are given too",
-                                "give a single scene file, or models only");
+                                "give a single scene file, or models only, or a list of scenes to "
+                                "check --scenes");
   }
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count <= models) continue;

@@ -10,6 +10,7 @@
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 
+#include <tuple>
 #include <utility>
 
 namespace pelt::tools::check {
@@ -183,6 +184,14 @@ void note_unskinned(const SelfChoice& self, scenes::Scene& scene) {
                         "): --no-unskinned leaves " + (count == 1 ? "it" : "them") + " out");
 }
 
+Result<CheckBaseline> read_baseline(const CheckArguments& arguments, const CheckQuestion& question,
+                                    const scenes::Scene& scene) {
+  const auto& [path, text] = std::tie(arguments.baseline, arguments.baseline_text);
+  if (!text) return CheckBaseline::read(path, question, scene);
+  if (text->empty()) return CheckBaseline();
+  return CheckBaseline::parse(path, *text, question, scene);
+}
+
 /// Precondition: `settings` is complete except for `baseline` and `fail_on`.
 Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& arguments,
                                                      const CheckSettings& settings,
@@ -192,7 +201,7 @@ Result<std::optional<CheckBaseline>> choose_baseline(const CheckArguments& argum
     return output::bad_argument("--baseline", "requires all contacts",
                                 "leave out --first and --max-contacts");
   const CheckQuestion question = question_of(settings, scene, arguments.scene.models);
-  Result<CheckBaseline> known = CheckBaseline::read(arguments.baseline, question, scene);
+  Result<CheckBaseline> known = read_baseline(arguments, question, scene);
   if (!known) return known.error();
   return std::optional<CheckBaseline>(std::move(*known));
 }
@@ -235,7 +244,10 @@ class Choices {
 
 /// Options of what is tested.
 void add_test_options(arguments::Verb& verb, CheckArguments& arguments) {
-  arguments::add_scene_options(verb, arguments.scene);
+  arguments::add_scene_options(verb, arguments.scene, arguments::InputsNeeded::none);
+  verb.option("--scenes", arguments.scenes,
+              "Check each scene or model of a list, a text file with one name per line",
+              {.type = "FILE"});
   verb.option(
       "--frames", arguments.frames,
       "Frames A to B - 1; with A:B:S every S-th of them (default: all frames of the scene or "
@@ -292,8 +304,8 @@ void add_question_options(arguments::Verb& verb, CheckArguments& arguments) {
 /// Options of runs that query only a share of the frames.
 void add_shard_options(arguments::Verb& verb, CheckArguments& arguments) {
   verb.option("--shard", arguments.shard,
-              "Query only the I-th of N shares of the frames, from 1/N to N/N, and write them to "
-              "-o, for pelt merge",
+              "Query only the I-th of N shares of the frames (with --scenes: of the scenes), from "
+              "1/N to N/N, and write them to -o, for pelt merge",
               {.type = "I/N"});
   verb.option("-o", arguments.shard_file, "The file of the shard", {.type = "FILE"});
 }

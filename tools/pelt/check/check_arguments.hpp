@@ -15,6 +15,7 @@ namespace pelt::tools::check {
 
 struct CheckArguments {
   arguments::SceneArguments scene;
+  std::string scenes;                  ///< file with a list of scenes, "" if absent
   methods::MethodKinds known_methods;  ///< possible values of --method
   std::string frames, by = "instance", method = "on_demand";
   bool first = false, pairs = false, contacts = false, inside = false, allow_empty = false;
@@ -27,6 +28,9 @@ struct CheckArguments {
   std::vector<std::string> ignore;
   SelfArguments self;
   std::string baseline, fail_on;
+  /// The part of the baseline of a list that belongs to this scene; "": there is none, so all
+  /// contacts are new. Nullopt: the baseline is the file.
+  std::optional<std::string> baseline_text;
   std::string shard, shard_file;  ///< "" if absent
   std::string jsonl, glb, html, simd, words;
 };

@@ -52,15 +52,6 @@ Result<void> check_outputs(const CheckArguments& arguments, const scenes::Scene&
   return output::check_outputs(outputs, inputs);
 }
 
-/// Users who forgot a model must not read "no contact" as a clean result.
-Error nothing_compared() {
-  return output::bad_argument(
-      "INPUT", "nothing was compared, because a single body was not tested against itself",
-      "leave out --self no, --method, --clearance and --between, or give another model, or use "
-      "--by part if "
-      "the model has several parts, or accept this with --allow-empty");
-}
-
 }  // namespace
 
 Result<arguments::ExitCode> run_check_command(const CheckArguments& arguments,
@@ -92,6 +83,14 @@ Result<arguments::ExitCode> run_check_command(const CheckArguments& arguments,
   if (!report) return report.error();
   if (report->verdict.pairs_compared == 0 && !arguments.allow_empty) return nothing_compared();
   return report->verdict.is_failed ? arguments::ExitCode::contact : arguments::ExitCode::success;
+}
+
+Error nothing_compared() {
+  return output::bad_argument(
+      "INPUT", "nothing was compared, because a single body was not tested against itself",
+      "leave out --self no, --method, --clearance and --between, or give another model, or use "
+      "--by part if "
+      "the model has several parts, or accept this with --allow-empty");
 }
 
 }  // namespace pelt::tools::check

@@ -27,4 +27,7 @@ struct EarlierAnswers {
 Result<arguments::ExitCode> run_check_command(const CheckArguments& arguments,
                                               const EarlierAnswers* earlier = nullptr);
 
+/// Users who forgot a model must not read "no contact" as a clean result.
+Error nothing_compared();
+
 }  // namespace pelt::tools::check

@@ -76,6 +76,16 @@ Result<void> write_page(output::OutputFile& file, const scenes::Scene& scene,
 
 }  // namespace
 
+Result<CheckReport> answer_scene(const scene::StagedScene& staged, const CheckSettings& settings,
+                                 const CheckQuestion& question, const FrameSource& source,
+                                 TouchTally& tally, std::ostream* lines) {
+  JsonlWriter jsonl(lines, question, staged);
+  jsonl.header();
+  Result<CheckReport> report = run_check(staged, settings, question, source, tally, jsonl);
+  if (!report) return asset::prefixed(staged.scene.name, report.error());
+  return report;
+}
+
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
                                 const arguments::ModelArguments& models,
                                 const CheckOutputs& outputs, std::ostream& words,
@@ -88,10 +98,9 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
   Result<TouchTally> tally = TouchTally::make(staged);
   if (!tally) return tally.error();
   const CheckQuestion question = question_of(settings, scene, models);
-  JsonlWriter jsonl(files.jsonl.stream(), question, staged);
-  jsonl.header();
-  Result<CheckReport> report = run_check(staged, settings, question, source, *tally, jsonl);
-  if (!report) return asset::prefixed(scene.name, report.error());
+  Result<CheckReport> report =
+      answer_scene(staged, settings, question, source, *tally, files.jsonl.stream());
+  if (!report) return report;
   if (const auto closed = files.jsonl.close(); !closed) return closed.error();
   const auto drawn = write_contacts_glb(files.glb, staged, report->kept, models);
   if (!drawn) return drawn.error();

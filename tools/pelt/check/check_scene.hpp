@@ -18,6 +18,12 @@ struct CheckOutputs {
   std::string words;  ///< command line of the report
 };
 
+/// Finds the answer of a scene and writes all lines of --jsonl, unless `lines` is null. For the
+/// other arguments, see run_check.
+Result<CheckReport> answer_scene(const scene::StagedScene& staged, const CheckSettings& settings,
+                                 const CheckQuestion& question, const FrameSource& source,
+                                 TouchTally& tally, std::ostream* lines);
+
 /// Prints the summary to `words`. `source`: see run_check.
 Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings& settings,
                                 const arguments::ModelArguments& models,

@@ -5,7 +5,8 @@
 
 namespace pelt::tools::output {
 
-/// A progress bar on standard error; silent if standard error is not a terminal.
+/// A progress bar on standard error; silent if standard error is not a terminal. Of several bars at
+/// a time, only the first one is shown.
 class Progress {
  public:
   explicit Progress(std::size_t total);

@@ -15,6 +15,7 @@ using nlohmann::ordered_json;
 template <typename Arguments, typename Visit>
 void visit_arguments(Arguments& of, const Visit& visit) {
   visit("inputs", of.scene.inputs);
+  visit("scenes", of.scenes);
   visit("clip", of.scene.clips);
   visit("start", of.scene.starts);
   visit("at", of.scene.positions);
@@ -44,6 +45,9 @@ void visit_arguments(Arguments& of, const Visit& visit) {
   visit("budget", of.budget);
   visit("between", of.between);
   visit("substeps", of.substeps);
+  visit("baseline", of.baseline);
+  visit("fail_on", of.fail_on);
+  visit("allow_empty", of.allow_empty);
 }
 
 bool read(const json& value, bool& to) {
@@ -107,7 +111,7 @@ bool read_arguments(const json& object, check::CheckArguments& arguments) {
     const auto found = is_good ? object.find(name) : object.end();
     is_good = is_good && found != object.end() && read(*found, value);
   });
-  return is_good && !arguments.scene.inputs.empty();
+  return is_good && arguments.scene.inputs.empty() != arguments.scenes.empty();
 }
 
 }  // namespace pelt::tools::shard

@@ -8,7 +8,8 @@
 
 namespace pelt::tools::shard {
 
-/// Leaves out arguments of the outputs, of the verdict and of the machine.
+/// Leaves out arguments of the outputs and of the machine. Arguments of the verdict are given only
+/// for a list of scenes.
 nlohmann::ordered_json arguments_json(const check::CheckArguments& arguments);
 
 /// Sets the arguments that `arguments_json` wrote. Returns false if one is missing or has another

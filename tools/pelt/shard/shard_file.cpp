@@ -3,6 +3,7 @@
 #include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "scenes/takes.hpp"
+#include "tools/pelt/list/scene_entry.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/shard/answer_json.hpp"
@@ -15,6 +16,7 @@
 namespace pelt::tools::shard {
 namespace {
 
+using list::read_line;
 using nlohmann::json;
 
 void add_line(const std::string& line, detail::Fnv1a64& hash) {
@@ -22,8 +24,8 @@ void add_line(const std::string& line, detail::Fnv1a64& hash) {
   hash.add_byte('\n');
 }
 
-nlohmann::ordered_json last_line(std::size_t frames, const detail::Fnv1a64& hash) {
-  return {{"frames", frames}, {"hash", output::hex16(hash.value())}};
+nlohmann::ordered_json last_line(std::size_t lines, const detail::Fnv1a64& hash) {
+  return {{"lines", lines}, {"hash", output::hex16(hash.value())}};
 }
 
 Error unreadable(const std::string& path) {
@@ -34,9 +36,6 @@ Error incomplete(const std::string& path, const Shard& shard, const char* proble
   return asset::malformed(path + ": " + problem + ": write shard " + std::to_string(shard.index) +
                           "/" + std::to_string(shard.count) + " again");
 }
-
-/// Reads a line with its end. False at the end of the file, and for a line that was cut.
-bool read_line(std::istream& in, std::string& line) { return std::getline(in, line) && !in.eof(); }
 
 /// A file that is complete.
 struct Opened {
@@ -113,23 +112,40 @@ std::optional<std::uint32_t> step_from(const scenes::Scene& scene,
   return from;
 }
 
+/// Nullopt if the file has no whole answer of a scene at this place.
+std::optional<list::SceneAnswer> read_scene(std::istream& in) {
+  list::SceneAnswer answer;
+  std::string line;
+  if (!read_line(in, line)) return std::nullopt;
+  Result<list::SceneEntry> entry = list::read_entry(line);
+  if (!entry) return std::nullopt;
+  const auto lines = list::read_lines_of(*entry, in);
+  if (!lines) return std::nullopt;
+  answer.entry = std::move(*entry);
+  answer.text = line + '\n';
+  for (const std::string& one : *lines) answer.text += one + '\n';
+  return answer;
+}
+
 }  // namespace
 
 ShardWriter::ShardWriter(std::ostream& out, const nlohmann::ordered_json& header) : out_(out) {
-  write(header);
+  write(output::json_text(header) + '\n');
 }
 
 void ShardWriter::add(const check::FrameAnswer& answer) {
-  write(answer_json(answer));
-  ++frames_;
+  write(output::json_text(answer_json(answer)) + '\n');
 }
 
-void ShardWriter::finish() { out_ << output::json_text(last_line(frames_, hash_)) << '\n'; }
+void ShardWriter::add(const list::SceneAnswer& answer) { write(answer.text); }
 
-void ShardWriter::write(const nlohmann::ordered_json& value) {
-  const std::string line = output::json_text(value);
-  add_line(line, hash_);
-  out_ << line << '\n';
+/// The first line is not counted.
+void ShardWriter::finish() { out_ << output::json_text(last_line(lines_ - 1, hash_)) << '\n'; }
+
+void ShardWriter::write(const std::string& lines) {
+  hash_.add_bytes(std::as_bytes(std::span(lines)));
+  lines_ += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
+  out_ << lines;
 }
 
 Result<Shards> Shards::open(std::span<const std::string> paths) {
@@ -187,6 +203,24 @@ Result<void> Shards::replay(
     }
     if (!read_line(in, line) || read_line(in, next))
       return incomplete(paths_[s], shard, "has more frames than the shard");
+  }
+  return {};
+}
+
+Result<void> Shards::replay_scenes(const list::UseScene& use) const {
+  const auto count = static_cast<std::uint32_t>(paths_.size());
+  std::string line, next;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    const Shard shard = {s + 1, count};
+    std::ifstream in(paths_[s], std::ios::binary);
+    read_line(in, line);  // the header
+    for (std::size_t i = shard.begin_of(scenes()); i < shard.end_of(scenes()); ++i) {
+      const std::optional<list::SceneAnswer> answer = read_scene(in);
+      if (!answer) return incomplete(paths_[s], shard, "lacks a scene");
+      if (const auto used = use(*answer); !used) return used;
+    }
+    if (!read_line(in, line)) return incomplete(paths_[s], shard, "lacks a line of a scene");
+    if (read_line(in, next)) return incomplete(paths_[s], shard, "has more scenes than the shard");
   }
   return {};
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-/// Files of shards: a header, a line of JSON per frame, and a last line that shows that the file is
-/// complete. docs/pelt.1 describes the keys.
+/// Files of shards: a header, a line of JSON per frame or the lines of each scene, and a last line
+/// that shows that the file is complete. docs/pelt.1 describes the keys.
 
 #include "base/hash.hpp"
 #include "tools/pelt/check/check_record.hpp"
+#include "tools/pelt/list/list_query.hpp"
 #include "tools/pelt/shard/shard_header.hpp"
 
 #include <functional>
@@ -21,19 +22,20 @@ class ShardWriter {
   ShardWriter(std::ostream& out, const nlohmann::ordered_json& header);
 
   void add(const check::FrameAnswer& answer);
+  void add(const list::SceneAnswer& answer);
 
   /// Writes the last line.
   void finish();
 
  private:
-  void write(const nlohmann::ordered_json& value);
+  void write(const std::string& lines);
 
   std::ostream& out_;
   detail::Fnv1a64 hash_;
-  std::size_t frames_ = 0;
+  std::size_t lines_ = 0;
 };
 
-/// All shards of one check.
+/// All shards of one check of a scene or of a list.
 class Shards {
  public:
   /// Opens files in any order, and reads each of them once. Returns an error that names the file or
@@ -52,6 +54,15 @@ class Shards {
   Result<void> replay(
       const scene::StagedScene& staged, const check::CheckSettings& settings,
       const std::function<Result<void>(const check::FrameAnswer& answer)>& use) const;
+
+  bool is_of_list() const { return !arguments_.scenes.empty(); }
+
+  /// The number of scenes of the list. Precondition: is_of_list().
+  std::size_t scenes() const { return scenes_of(inputs_); }
+
+  /// Passes the answers of all scenes to `use`, in order. Keeps one in memory. Precondition:
+  /// is_of_list().
+  Result<void> replay_scenes(const list::UseScene& use) const;
 
  private:
   std::vector<std::string> paths_;  // in order of shards

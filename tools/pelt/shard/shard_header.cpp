@@ -6,6 +6,7 @@
 #include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "base/hash.hpp"
+#include "tools/pelt/list/scene_list.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/shard/question_json.hpp"
@@ -34,6 +35,22 @@ bool read_shard(const json& value, Shard& shard) {
   return shard.index >= 1 && shard.index <= shard.count;
 }
 
+/// "path" and "hash" of a file.
+Result<nlohmann::ordered_json> input_json(const std::string& path) {
+  const auto bytes = asset::read_file(path);
+  if (!bytes) return bytes.error();
+  detail::Fnv1a64 hash;
+  hash.add_bytes(*bytes);
+  return nlohmann::ordered_json{{"path", path}, {"hash", output::hex16(hash.value())}};
+}
+
+/// Whether the first input is a list with a number of scenes.
+bool has_list(const json& inputs) {
+  if (inputs.empty() || !inputs[0].is_object()) return false;
+  const json scenes = inputs[0].value("scenes", json());
+  return scenes.is_number_unsigned() && scenes.get<std::uint64_t>() <= list::kMostScenes;
+}
+
 Error not_a_shard() {
   return asset::malformed("not a file of a shard: give files that pelt check --shard wrote");
 }
@@ -55,16 +72,28 @@ Result<Shard> parse_shard(const std::string& text) {
 Result<json> inputs_of(const arguments::SceneArguments& arguments, const scenes::Scene& scene) {
   nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
   if (arguments::asks_for_scene(arguments)) {
-    const auto bytes = asset::read_file(arguments.inputs[0]);
-    if (!bytes) return bytes.error();
-    detail::Fnv1a64 hash;
-    hash.add_bytes(*bytes);
-    inputs.push_back({{"path", arguments.inputs[0]}, {"hash", output::hex16(hash.value())}});
+    auto input = input_json(arguments.inputs[0]);
+    if (!input) return input.error();
+    inputs.push_back(std::move(*input));
   }
   for (const scenes::Character& character : scene.characters)
     inputs.push_back({{"path", character.source}, {"hash", output::hex16(character.hash)}});
   return scene::as_json_holds(inputs);
 }
+
+Result<json> inputs_of(const list::ListPlan& plan) {
+  nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
+  for (const std::string& path : {plan.arguments.scenes, plan.arguments.baseline}) {
+    if (path.empty()) continue;
+    auto input = input_json(path);
+    if (!input) return input.error();
+    inputs.push_back(std::move(*input));
+  }
+  inputs[0]["scenes"] = plan.scenes.size();
+  return scene::as_json_holds(inputs);
+}
+
+std::size_t scenes_of(const json& inputs) { return inputs[0]["scenes"].get<std::size_t>(); }
 
 nlohmann::ordered_json header_json(const Shard& shard, const check::CheckArguments& arguments,
                                    const json& inputs) {
@@ -89,6 +118,8 @@ Result<ShardHeader> read_header(const std::string& line) {
   if (!read_shard(object.value("shard", json()), header.shard) ||
       !read_arguments(object.value("arguments", json()), header.arguments) ||
       !object.value("inputs", json()).is_array())
+    return asset::malformed("the first line is damaged: write this shard again");
+  if (!header.arguments.scenes.empty() && !has_list(object["inputs"]))
     return asset::malformed("the first line is damaged: write this shard again");
   header.question = {{"arguments", object["arguments"]}, {"inputs", object["inputs"]}};
   return header;

@@ -5,6 +5,7 @@
 #include <pelt/result.hpp>
 
 #include "tools/pelt/check/check_arguments.hpp"
+#include "tools/pelt/list/list_query.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,18 +15,18 @@
 
 namespace pelt::tools::shard {
 
-/// The share of a check's frames that one process queries: the I-th of N runs of consecutive
-/// frames, of nearly equal length.
+/// The share of a check's frames, or of the scenes of a list, that one process queries: the I-th of
+/// N runs of consecutive ones, of nearly equal length.
 struct Shard {
   std::uint32_t index = 1, count = 1;  ///< index from 1 to count
 
-  /// The indices of its frames, of this number of frames.
-  std::size_t begin_of(std::size_t frames) const { return share(frames, index - 1); }
-  std::size_t end_of(std::size_t frames) const { return share(frames, index); }
+  /// The indices of its frames or scenes, of this number.
+  std::size_t begin_of(std::size_t number) const { return share(number, index - 1); }
+  std::size_t end_of(std::size_t number) const { return share(number, index); }
 
  private:
-  std::size_t share(std::uint64_t frames, std::uint64_t shards) const {
-    return static_cast<std::size_t>(frames * shards / count);
+  std::size_t share(std::uint64_t number, std::uint64_t shards) const {
+    return static_cast<std::size_t>(number * shards / count);
   }
 };
 
@@ -43,6 +44,12 @@ struct ShardHeader {
 /// The hashes of the scene's file, if it has one, and of its models.
 Result<nlohmann::json> inputs_of(const arguments::SceneArguments& arguments,
                                  const scenes::Scene& scene);
+
+/// The hash of the list, with its number of scenes, and that of the baseline, if there is one.
+Result<nlohmann::json> inputs_of(const list::ListPlan& plan);
+
+/// The number of scenes of a list. Precondition: `inputs` are those of a list.
+std::size_t scenes_of(const nlohmann::json& inputs);
 
 nlohmann::ordered_json header_json(const Shard& shard, const check::CheckArguments& arguments,
                                    const nlohmann::json& inputs);

@@ -4,6 +4,7 @@
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/check/ask_frames.hpp"
+#include "tools/pelt/list/list_answer.hpp"
 #include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -12,6 +13,8 @@
 #include "tools/pelt/shard/shard_file.hpp"
 
 #include <array>
+#include <iterator>
+#include <span>
 #include <utility>
 
 namespace pelt::tools::shard {
@@ -26,7 +29,10 @@ const char* option_of_answer(const check::CheckArguments& arguments) {
                                                   {!arguments.baseline.empty(), "--baseline"},
                                                   {!arguments.fail_on.empty(), "--fail-on"},
                                                   {arguments.allow_empty, "--allow-empty"}};
-  for (const auto& [is_given, name] : options)
+  // A list is judged scene by scene, while the scene is loaded.
+  const std::size_t outputs = 4;
+  const std::size_t count = arguments.scenes.empty() ? std::size(options) : outputs;
+  for (const auto& [is_given, name] : std::span(options).first(count))
     if (is_given) return name;
   return nullptr;
 }
@@ -92,6 +98,52 @@ Result<void> write_shard(const check::CheckArguments& arguments, scenes::Scene& 
   return {};
 }
 
+/// Checks the scenes and adds their answers to the file.
+Result<void> write_scenes(const list::ListPlan& plan, const list::SceneIndices& indices,
+                          ShardWriter& writer, list::ListTally& tally) {
+  const auto add = [&](const list::SceneAnswer& answer) -> Result<void> {
+    tally.add(answer.entry);
+    writer.add(answer);
+    return {};
+  };
+  if (const auto asked = list::ask_scenes(plan, indices, add); !asked) return asked;
+  writer.finish();
+  return {};
+}
+
+void print_shard(const Shard& shard, const list::SceneIndices& indices,
+                 const list::ListTally& tally, std::ostream& words) {
+  scene::label(words, "shard") << shard.index << " of " << shard.count << ": ";
+  if (indices.count() == 0) {
+    words << "no scenes\n";
+    return;
+  }
+  words << "scenes " << output::with_commas(indices.begin + 1) << " to "
+        << output::with_commas(indices.end) << " of the list, "
+        << output::with_commas(tally.unchecked()) << " could not be checked\n";
+}
+
+Result<arguments::ExitCode> run_list_shard(const check::CheckArguments& arguments,
+                                           const Shard& shard) {
+  const Result<list::ListPlan> plan = list::ListPlan::make(arguments);
+  if (!plan) return plan.error();
+  const auto inputs = inputs_of(*plan);
+  if (!inputs) return inputs.error();
+  output::OutputFile file;
+  if (const auto opened = file.open(arguments.shard_file); !opened) return opened.error();
+  ShardWriter writer(*file.stream(), header_json(shard, arguments, *inputs));
+  const std::size_t scenes = plan->scenes.size();
+  const list::SceneIndices indices = {shard.begin_of(scenes), shard.end_of(scenes)};
+  list::ListTally tally;
+  if (const auto written = write_scenes(*plan, indices, writer, tally); !written)
+    return written.error();
+  if (const auto closed = file.close(); !closed) return closed.error();
+  std::ostream& words = output::words_beside({arguments.shard_file});
+  print_shard(shard, indices, tally, words);
+  output::print_written(arguments.shard_file, words);
+  return arguments::ExitCode::success;
+}
+
 }  // namespace
 
 Result<arguments::ExitCode> run_shard(const check::CheckArguments& arguments) {
@@ -99,6 +151,7 @@ Result<arguments::ExitCode> run_shard(const check::CheckArguments& arguments) {
   const Result<Shard> shard = parse_shard(arguments.shard);
   if (!shard) return shard.error();
   if (const auto checked = check_options(arguments); !checked) return checked.error();
+  if (!arguments.scenes.empty()) return run_list_shard(arguments, *shard);
   Result<scenes::Scene> scene = arguments::open_scene(arguments.scene);
   if (!scene) return scene.error();
   if (const auto checked = check_output(arguments, *scene); !checked) return checked.error();

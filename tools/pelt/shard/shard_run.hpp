@@ -7,7 +7,7 @@
 
 namespace pelt::tools::shard {
 
-/// Queries the frames of a shard and writes its file.
+/// Queries the frames of a shard, or checks its scenes, and writes its file.
 Result<arguments::ExitCode> run_shard(const check::CheckArguments& arguments);
 
 }  // namespace pelt::tools::shard

@@ -3,6 +3,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_arguments.hpp"
 #include "tools/pelt/check/check_command.hpp"
+#include "tools/pelt/list/list_answer.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/shard/shard_run.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -33,6 +34,8 @@ Examples:
   pelt check scene.json --ignore limb,joint*
   pelt check scene.json --baseline contacts.jsonl
   pelt check scene.json --shard 1/2 -o 1.shard
+  pelt check --scenes scenes.txt --jsonl answers.jsonl
+  pelt check --scenes scenes.txt --shard 1/2 -o 1.shard
 
 Answers are exact on the float32 positions that `pelt pose` writes. Triangles are closed sets, so
 touching counts. All methods give the same contacts and the same hash; they differ in their work.
@@ -47,8 +50,13 @@ With --between, a step leads from each checked frame to the next. In a step, or 
 --substeps, every vertex moves in a straight line at constant speed, and the answer is exact for this
 motion. The summary shows how far the clips deviate from it. A contact between frames is a contact for
 the exit code and for --baseline.
+With --scenes, each line of the file names a scene or a model, relative to the current folder. Each is
+checked alone, several at a time. A scene that cannot be checked is named, the others are checked, and
+the exit code is 2. The answer of --jsonl has a line for each scene, followed by the lines of its check;
+--baseline is such an answer.
 With --shard, `pelt merge` puts the files of all shards together, judges them and writes the other
-outputs. The exit code of a shard is 0 if its file is complete, whatever it contains.
+outputs. Shards of a list are judged already, so --baseline and --fail-on belong to each of them. The exit
+code of a shard is 0 if its file is complete, whatever it contains.
 A single character is tested against itself; several characters only with --self. The options
 --self-... drop contacts of a character with itself; the summary shows how many each option drops. A
 check that has nothing to test, such as one of a single character with --self no, fails with exit code
@@ -58,9 +66,14 @@ Exit codes: 0 nothing that --fail-on selects, 1 what --fail-on selects (by defau
 what is new or has grown), 2 bad input or arguments, or nothing to test, 3 internal error.)";
 
 Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
+  if (arguments.scene.inputs.empty() && arguments.scenes.empty())
+    return output::bad_argument("INPUT", "is required",
+                                "give a scene or models, or a list with --scenes FILE; see pelt "
+                                "check --help");
   if (!arguments.shard.empty()) return shard::run_shard(arguments);
   if (!arguments.shard_file.empty())
     return output::bad_argument("-o", "requires --shard", "name the answer with --jsonl FILE");
+  if (!arguments.scenes.empty()) return list::run_list(arguments);
   return check::run_check_command(arguments);
 }
 
