@@ -27,5 +27,16 @@ TEST(Fnv1a64, NumbersAreLittleEndian) {
   EXPECT_EQ(by_number.value(), by_bytes.value());
 }
 
+TEST(Fnv1a64, NumbersOfAllSizesAreFourBytes) {
+  Fnv1a64 by_number, by_bytes;
+  for (std::uint32_t low : {0u, 1u, 0x7Fu, 0xFFu, 0x100u, 0x101u, 0xFF00u, 0xFFFFu, 0x10000u})
+    for (std::uint32_t value : {low, low << 8, low << 16, ~low}) {
+      by_number.add_u32(value);
+      for (int byte = 0; byte < 4; ++byte)
+        by_bytes.add_byte(static_cast<std::uint8_t>(value >> (8 * byte)));
+      ASSERT_EQ(by_number.value(), by_bytes.value()) << value;
+    }
+}
+
 }  // namespace
 }  // namespace pelt::detail

@@ -52,19 +52,31 @@ Result<TouchTally> TouchTally::make(const scene::StagedScene& staged) {
   return tally;
 }
 
-TouchPlace TouchTally::place_of(std::uint32_t collider, std::uint32_t triangle) const {
+TouchTally::Places TouchTally::places_of(std::uint32_t collider) const {
   const std::uint32_t instance = staged_.colliders[collider].instance;
-  const scenes::TriangleLabels& labels = labels_[staged_.scene.instances[instance].character];
-  return {instance, labels.part[triangle], labels.joint[triangle]};
+  return {instance, labels_[staged_.scene.instances[instance].character]};
+}
+
+/// Most contacts have the places of the contact before, whose count need not be searched again.
+void TouchTally::count_pair(const scene::FrameContacts& found,
+                            const scene::FrameContacts::Pair& pair, FrameCounts& touches) const {
+  const Places of_a = places_of(pair.a), of_b = places_of(pair.b);
+  TouchPlace last_a, last_b;
+  std::uint64_t* count = nullptr;
+  for (const Contact& contact : found.of(pair)) {
+    const TouchPlace a = of_a.at(contact.triangle_a), b = of_b.at(contact.triangle_b);
+    if (count == nullptr || a != last_a || b != last_b) {
+      count = &touches[ascending(a, b)];
+      last_a = a;
+      last_b = b;
+    }
+    ++*count;
+  }
 }
 
 void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
   FrameCounts touches, joints, parts;
-  for (const scene::FrameContacts::Pair& pair : found.pairs) {
-    for (const Contact& contact : found.of(pair))
-      ++touches[ascending(place_of(pair.a, contact.triangle_a),
-                          place_of(pair.b, contact.triangle_b))];
-  }
+  for (const scene::FrameContacts::Pair& pair : found.pairs) count_pair(found, pair, touches);
   for (const auto& [places, count] : touches) {
     const auto& [a, b] = places;
     joints[ascending(TouchPlace{a.instance, 0, a.joint}, TouchPlace{b.instance, 0, b.joint})] +=

@@ -68,7 +68,19 @@ class TouchTally {
 
   explicit TouchTally(const scene::StagedScene& staged) : staged_(staged) {}
 
-  TouchPlace place_of(std::uint32_t collider, std::uint32_t triangle) const;
+  /// The places of an instance's triangles.
+  struct Places {
+    std::uint32_t instance = 0;
+    const scenes::TriangleLabels& labels;
+
+    TouchPlace at(std::uint32_t triangle) const {
+      return {instance, labels.part[triangle], labels.joint[triangle]};
+    }
+  };
+
+  Places places_of(std::uint32_t collider) const;
+  void count_pair(const scene::FrameContacts& found, const scene::FrameContacts::Pair& pair,
+                  FrameCounts& touches) const;
   std::vector<Row> rows(const std::map<Key, TouchCounts>& counts, std::uint32_t TouchPlace::*index,
                         const NameOf& name_of) const;
 
