@@ -25,14 +25,19 @@ DOCUMENT = pathlib.Path(sys.argv.pop()).read_text(encoding="utf-8")
 COMMAND = sys.argv.pop()
 FRAMES = '"count": 13, "fps": 8'
 
-# Kills the first process that queries shard 2.
+# Kills the first process that queries shard 2. Tries again if the process has ended before.
 KILLING = """#!/bin/sh
 case "$*" in
   *"--shard 2/"*)
     if [ ! -e killed ]; then
-      "$PELT" "$@" &
-      kill -9 $!
-      touch killed
+      for file; do :; done
+      until [ -e killed ]; do
+        rm -f "$file"
+        "$PELT" "$@" &
+        kill -9 $!
+        wait $!
+        [ $? = 137 ] && touch killed
+      done
       exit 137
     fi ;;
 esac

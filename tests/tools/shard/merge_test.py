@@ -126,7 +126,7 @@ class MergeTests(unittest.TestCase):
     def test_other_versions_are_named(self):
         files = self.write_shards(["pair.json"], 1)
         text = (self.folder / files[0]).read_text()
-        for old, new in (('"version":1', '"version":2'), ('"pelt":"', '"pelt":"9')):
+        for old, new in (('"version":2', '"version":1'), ('"pelt":"', '"pelt":"9')):
             self.assertIn(old, text)
             (self.folder / files[0]).write_text(text.replace(old, new, 1))
             self.assertIn("s1.shard: was written by another version of pelt", self.refusal(*files))
@@ -134,14 +134,16 @@ class MergeTests(unittest.TestCase):
     def test_hostile_values_are_refused(self):
         case = ["pair.json", "--between", "--inside", "--contacts", "--self", "--frames", "4:6"]
         files = self.write_shards(case, 1)
-        lines = (self.folder / files[0]).read_text().splitlines()
+        lines = (self.folder / files[0]).read_bytes().splitlines()[:-1]
+        self.assertEqual(len(lines), 7)  # the header and two frames
         refused = 0
         for _ in range(40):
-            changed = [json.loads(line) for line in lines[:-1]]
-            key = self.damage(self.random.choice(changed[1:]))
-            check_runs.write_shard(
-                self.folder / files[0],
-                [json.dumps(one, separators=(",", ":")).encode() for one in changed])
+            changed = list(lines)
+            place = self.random.choice((1, 4))
+            values = json.loads(lines[place])
+            key = self.damage(values)
+            changed[place] = json.dumps(values, separators=(",", ":")).encode()
+            check_runs.write_shard(self.folder / files[0], changed)
             code, _, error = self.pelt("merge", *files)
             self.assertIn(code, (0, 1, 2), (SEED, key, error))
             refused += code == 2
@@ -157,10 +159,33 @@ class MergeTests(unittest.TestCase):
             if not isinstance(value[key], (dict, list)) or not value[key]:
                 break
             value = value[key]
-        if key != "line":
-            value[key] = self.random.choice(
-                [-1, 4294967295, 18446744073709551615, 1e300, "x", None, [], {}, True, 0.5])
+        value[key] = self.random.choice(
+            [-1, 4294967295, 18446744073709551615, 1e300, "x", None, [], {}, True, 0.5])
         return path
+
+    def test_hostile_contacts_are_refused(self):
+        files = self.write_shards(["pair.json", "--frames", "3:4"], 1)
+        path = self.folder / files[0]
+        lines = path.read_bytes().splitlines()[:-1]
+        self.assertGreater(len(lines[3]), 300)
+        # A wrong pair, no contacts, too many, numbers that do not end, other characters, a triangle
+        # beyond the last one and before the first one, contacts and pairs that do not ascend.
+        for bad in (b"0", b"01", b"1013@", b"0213@", b"010", b"012@@", b"0122@", b"01" + b"o" * 20,
+                    b"01" + b"o" * 11 + b"0", b"01100 ", b"0110\xff", b'{"a": 1}', b"011o80",
+                    b"01103", b"01200o0", b"0120000", b"0111001110", lines[3] + b"0",
+                    lines[3][:-1], lines[3] + lines[3]):
+            check_runs.write_shard(path, [*lines[:3], bad])
+            self.assertIn("frame 3: bad value of contacts", self.refusal(*files), bad)
+        refused = 0
+        for _ in range(60):
+            bad = bytearray(lines[3])
+            bad[self.random.randrange(len(bad))] = self.random.choice(
+                [byte for byte in range(256) if byte != 10])
+            check_runs.write_shard(path, [*lines[:3], bytes(bad)])
+            code, _, error = self.pelt("merge", *files)
+            self.assertIn(code, (1, 2), (SEED, error))
+            refused += code == 2
+        self.assertGreaterEqual(refused, 30, SEED)
 
     def test_options_of_the_answer_belong_to_merge(self):
         for option in (["--jsonl", "a.jsonl"], ["--baseline", "a.jsonl"], ["--fail-on", "never"],

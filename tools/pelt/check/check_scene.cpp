@@ -74,6 +74,16 @@ Result<void> write_page(output::OutputFile& file, const scenes::Scene& scene,
   return file.write_and_close(std::as_bytes(std::span(*page)));
 }
 
+/// Colliders that are not queried, because there are answers. Fitting their trees to sample poses
+/// would take most of the time to make them.
+Result<std::vector<scene::Collider>> make_colliders_to_name(
+    const scenes::Scene& scene, scene::Granularity granularity,
+    const arguments::ModelArguments& models) {
+  arguments::ModelArguments without_samples = models;
+  without_samples.samples = 0;
+  return scene::make_colliders(scene, granularity, without_samples);
+}
+
 }  // namespace
 
 Result<CheckReport> answer_scene(const scene::StagedScene& staged, const CheckSettings& settings,
@@ -92,7 +102,8 @@ Result<CheckReport> check_scene(const scenes::Scene& scene, const CheckSettings&
                                 const FrameSource& source) {
   OutputFiles files;
   if (const auto opened = files.open(outputs); !opened) return opened.error();
-  const auto colliders = scene::make_colliders(scene, settings.granularity, models);
+  const auto colliders = source ? make_colliders_to_name(scene, settings.granularity, models)
+                                : scene::make_colliders(scene, settings.granularity, models);
   if (!colliders) return colliders.error();
   const scene::StagedScene staged = {scene, *colliders};
   Result<TouchTally> tally = TouchTally::make(staged);

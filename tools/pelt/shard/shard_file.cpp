@@ -6,7 +6,7 @@
 #include "tools/pelt/list/scene_entry.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/shard/answer_json.hpp"
+#include "tools/pelt/shard/answer_text.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -133,9 +133,7 @@ ShardWriter::ShardWriter(std::ostream& out, const nlohmann::ordered_json& header
   write(output::json_text(header) + '\n');
 }
 
-void ShardWriter::add(const check::FrameAnswer& answer) {
-  write(output::json_text(answer_json(answer)) + '\n');
-}
+void ShardWriter::add(const check::FrameAnswer& answer) { write(answer_text(answer)); }
 
 void ShardWriter::add(const list::SceneAnswer& answer) { write(answer.text); }
 
@@ -190,11 +188,8 @@ Result<void> Shards::replay(
     std::ifstream in(paths_[s], std::ios::binary);
     read_line(in, line);  // the header
     for (std::size_t i = shard.begin_of(frames.size()); i < shard.end_of(frames.size()); ++i) {
-      const bool is_read = read_line(in, line);
-      const Result<asset::ParsedJson> parsed = asset::parse_json(is_read ? line : "");
-      if (!parsed) return incomplete(paths_[s], shard, "lacks a frame");
       const auto from = step_from(staged.scene, frames, i, settings.substeps.has_value());
-      const auto answer = read_answer(**parsed, {staged, frames[i], from});
+      const auto answer = read_answer(in, {staged, frames[i], from});
       if (!answer)
         return incomplete(
             paths_[s], shard,

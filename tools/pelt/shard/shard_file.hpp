@@ -1,6 +1,6 @@
 #pragma once
 
-/// Files of shards: a header, a line of JSON per frame or the lines of each scene, and a last line
+/// Files of shards: a header, three lines per frame or the lines of each scene, and a last line
 /// that shows that the file is complete. docs/pelt.1 describes the keys.
 
 #include "base/hash.hpp"

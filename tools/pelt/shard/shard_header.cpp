@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// 0 for anything but a whole number from 1 to `most`.
 std::uint32_t parse_number(std::string_view text, std::uint32_t most) {

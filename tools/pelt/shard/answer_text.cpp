@@ -1,4 +1,10 @@
-#include "tools/pelt/shard/answer_json.hpp"
+#include "tools/pelt/shard/answer_text.hpp"
+
+#include "asset/message.hpp"
+#include "asset/parsed_json.hpp"
+#include "tools/pelt/list/scene_entry.hpp"
+#include "tools/pelt/output/json_text.hpp"
+#include "tools/pelt/shard/contact_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,18 +29,6 @@ ordered_json work_json(const QueryStats& work) {
 ordered_json left_out_json(const LeftOut& left_out) {
   return {left_out.takes_part, left_out.rings,  left_out.at_rest,
           left_out.always,     left_out.joints, left_out.groups};
-}
-
-ordered_json found_json(const scene::FrameContacts& found) {
-  ordered_json pairs = ordered_json::array();
-  for (const scene::FrameContacts::Pair& pair : found.pairs) {
-    ordered_json& list = pairs.emplace_back(ordered_json::array({pair.a, pair.b}));
-    for (const Contact& contact : found.of(pair)) {
-      list.push_back(contact.triangle_a);
-      list.push_back(contact.triangle_b);
-    }
-  }
-  return pairs;
 }
 
 ordered_json undecided_json(const std::vector<check::Undecided>& undecided) {
@@ -146,28 +140,6 @@ class AnswerReader {
     return list.is_complete();
   }
 
-  /// Pairs ascend, and so do the contacts of each pair.
-  bool read(const json& value, scene::FrameContacts& found) const {
-    if (!value.is_array()) return false;
-    for (const json& pair : value) {
-      List list(pair);
-      const std::uint32_t a = collider(list), b = collider(list);
-      const std::size_t begin = found.contacts.size();
-      while (list.has_more()) {
-        found.contacts.push_back(contact(list, a, b));
-        const bool ascends = found.contacts.size() - begin < 2 ||
-                             *(found.contacts.end() - 2) < found.contacts.back();
-        if (!ascends) return false;
-      }
-      if (!list.is_good() || a > b || found.contacts.size() == begin) return false;
-      if (!found.pairs.empty() &&
-          std::tie(found.pairs.back().a, found.pairs.back().b) >= std::tie(a, b))
-        return false;
-      found.pairs.push_back({a, b, begin, found.contacts.size()});
-    }
-    return true;
-  }
-
   bool read(const json& value, check::Undecided& one) const {
     List list(value);
     one.a = collider(list);
@@ -273,12 +245,8 @@ class AnswerReader {
   const scene::StagedScene& staged_;
 };
 
-}  // namespace
-
 ordered_json answer_json(const FrameAnswer& answer) {
   ordered_json value = {{"frame", answer.frame},
-                        {"line", answer.line},
-                        {"found", found_json(answer.found)},
                         {"ignored", answer.ignored},
                         {"left_out", left_out_json(answer.left_out)},
                         {"undecided", undecided_json(answer.undecided)},
@@ -291,31 +259,50 @@ ordered_json answer_json(const FrameAnswer& answer) {
   return value;
 }
 
-Result<FrameAnswer> read_answer(const json& value, const Expected& expected) {
+/// Sets all of an answer but its line and its contacts. Returns the key of the first bad value, or
+/// null.
+const char* read_values(const json& value, const Expected& expected, FrameAnswer& answer) {
   const AnswerReader reader(expected.staged);
-  const auto bad = [](const char* key) {
-    return Error{ErrorCode::malformed_file, std::string("bad value of ") + key};
-  };
-  if (expected.staged.colliders.empty()) return bad("frame");
-  FrameAnswer answer;
   answer.frame = expected.frame;
-  if (value_of(value, "frame") != expected.frame) return bad("frame");
-  const json& line = value_of(value, "line");
-  if (!line.is_string()) return bad("line");
-  answer.line = line.get<std::string>();
+  if (expected.staged.colliders.empty() || value_of(value, "frame") != expected.frame)
+    return "frame";
   const json& ignored = value_of(value, "ignored");
-  if (!ignored.is_number_unsigned()) return bad("ignored");
+  if (!ignored.is_number_unsigned()) return "ignored";
   answer.ignored = ignored.get<std::uint64_t>();
-  if (!reader.read(value_of(value, "found"), answer.found)) return bad("found");
-  if (!reader.read(value_of(value, "left_out"), answer.left_out)) return bad("left_out");
-  if (!reader.read(value_of(value, "undecided"), answer.undecided)) return bad("undecided");
-  if (!reader.read(value_of(value, "inside"), answer.inside)) return bad("inside");
-  if (!reader.read(value_of(value, "patches"), answer.patches)) return bad("patches");
-  if (!reader.read(value_of(value, "work"), answer.work)) return bad("work");
-  if (!reader.read(value_of(value, "seconds"), answer.seconds)) return bad("seconds");
+  if (!reader.read(value_of(value, "left_out"), answer.left_out)) return "left_out";
+  if (!reader.read(value_of(value, "undecided"), answer.undecided)) return "undecided";
+  if (!reader.read(value_of(value, "inside"), answer.inside)) return "inside";
+  if (!reader.read(value_of(value, "patches"), answer.patches)) return "patches";
+  if (!reader.read(value_of(value, "work"), answer.work)) return "work";
+  if (!reader.read(value_of(value, "seconds"), answer.seconds)) return "seconds";
   const json& step = value_of(value, "step");
-  if (step.is_null() == expected.step_from.has_value()) return bad("step");
-  if (!step.is_null() && !reader.read(step, expected, answer.step.emplace())) return bad("step");
+  if (step.is_null() == expected.step_from.has_value()) return "step";
+  if (!step.is_null() && !reader.read(step, expected, answer.step.emplace())) return "step";
+  return nullptr;
+}
+
+}  // namespace
+
+std::string answer_text(const FrameAnswer& answer) {
+  std::string text = output::json_text(answer_json(answer)) + '\n' + answer.line + '\n';
+  add_contacts(answer.found, text);
+  return text + '\n';
+}
+
+Result<FrameAnswer> read_answer(std::istream& in, const Expected& expected) {
+  std::string values, line, contacts;
+  const auto bad = [](const char* what) {
+    return asset::malformed(std::string("bad value of ") + what);
+  };
+  if (!list::read_line(in, values) || !list::read_line(in, line) || !list::read_line(in, contacts))
+    return asset::malformed("is missing");
+  const Result<asset::ParsedJson> parsed = asset::parse_json(values);
+  if (!parsed) return parsed.error();
+  FrameAnswer answer;
+  answer.line = std::move(line);
+  if (!read_contacts(contacts, expected.staged.colliders, answer.found)) return bad("contacts");
+  const char* const key = read_values(**parsed, expected, answer);
+  if (key != nullptr) return bad(key);
   return answer;
 }
 
