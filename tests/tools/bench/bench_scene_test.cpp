@@ -88,6 +88,21 @@ TEST(BenchScene, RefusesAMethodThatForgetsOneContact) {
   }
 }
 
+/// The paper has no bounds for it, so all pairs of triangles are the reference.
+TEST(BenchScene, MeasuresDualQuaternionSkinning) {
+  for (const bool forgets : {false, true}) {
+    BenchSettings settings = settings_with({method_of(methods::kOnDemand)});
+    if (forgets) settings.methods = {forgetful(10)};
+    settings.models.skinning = pelt::Skinning::dual_quaternion;
+    std::vector<SceneFigures> figures;
+    std::ostringstream errors;
+    const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
+    ASSERT_TRUE(exit) << exit.error().message;
+    EXPECT_EQ(*exit, forgets ? arguments::ExitCode::internal : arguments::ExitCode::success);
+    EXPECT_EQ(figures.empty(), forgets);
+  }
+}
+
 TEST(BenchScene, RefusesAMethodThatDeniesThatAPairTouches) {
   BenchSettings settings = settings_with({forgetful(10)});
   settings.questions = {Question::first};

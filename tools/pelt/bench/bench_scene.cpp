@@ -9,14 +9,24 @@
 #include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/output/text.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace pelt::tools::bench {
 namespace {
 
+/// Whether the paper's method has bounds for a model.
+bool suits_paper(const scene::Collider& collider) {
+  return collider.model.skinning() == pelt::Skinning::linear &&
+         collider.model.morph_target_count() == 0;
+}
+
 /// The reference for all answers; shares no tree with the fast methods.
-BenchMethod reference_of(const BenchSettings& settings) {
-  return settings.is_self ? self_method(methods::kSelfBrute) : method_of(methods::kPaper);
+BenchMethod reference_of(const Subject& subject, const BenchSettings& settings) {
+  if (settings.is_self) return self_method(methods::kSelfBrute);
+  const bool is_paper =
+      std::all_of(subject.colliders.begin(), subject.colliders.end(), suits_paper);
+  return method_of(is_paper ? methods::kPaper : methods::kBrute);
 }
 
 struct Prepared {
@@ -66,7 +76,7 @@ Answers with_work_of(const Answers& answers, Answers reference) {
 /// Returns the answers [methods], or an empty list if methods disagree.
 Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings& settings,
                                      std::ostream& errors) {
-  const BenchMethod reference = reference_of(settings);
+  const BenchMethod reference = reference_of(subject, settings);
   const std::string where =
       settings.program + ": internal error: " + asset::printable(subject.scene.name);
   const Result<Answers> expected = answer(subject, reference, settings.questions);
