@@ -52,6 +52,7 @@ inline Lanes higher(const Lanes& a, const Lanes& b) {
 inline Lanes magnitude(const Lanes& a) {
   return {{std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2]), std::fabs(a[3])}};
 }
+inline Lanes rotated(const Lanes& a) { return {{a[1], a[2], a[0], a[3]}}; }
 inline Lanes make_lanes(float x, float y, float z, float w) { return {{x, y, z, w}}; }
 
 /// A boolean for each lane.
@@ -103,9 +104,11 @@ inline Lanes magnitude(Lanes a) { return Lanes(Yes(a) & 0x7FFFFFFF); }
 // Compilers do not generate these two instructions themselves, because of NaN and signed zeros.
 inline Lanes lower(Lanes a, Lanes b) { return _mm_min_ps(a, b); }
 inline Lanes higher(Lanes a, Lanes b) { return _mm_max_ps(a, b); }
+inline Lanes rotated(Lanes a) { return _mm_shuffle_ps(a, a, _MM_SHUFFLE(3, 0, 2, 1)); }
 #else
 inline Lanes lower(Lanes a, Lanes b) { return a < b ? a : b; }
 inline Lanes higher(Lanes a, Lanes b) { return b < a ? a : b; }
+inline Lanes rotated(Lanes a) { return Lanes{a[1], a[2], a[0], a[3]}; }
 #endif
 
 struct Mask4 {
@@ -153,6 +156,20 @@ inline Float4 operator*(float s, const Float4& v) { return Float4(s) * v; }
 inline Float4 min(const Float4& a, const Float4& b) { return Float4(lower(a.lanes, b.lanes)); }
 inline Float4 max(const Float4& a, const Float4& b) { return Float4(higher(a.lanes, b.lanes)); }
 inline Float4 abs(const Float4& a) { return Float4(magnitude(a.lanes)); }
+
+/// The lanes y, z, x and w.
+inline Float4 rotated(const Float4& v) { return Float4(rotated(v.lanes)); }
+
+/// Lane 3 is meaningless.
+inline Float4 cross(const Float4& a, const Float4& b) {
+  return rotated(a * rotated(b) - rotated(a) * b);
+}
+
+/// Bound of the magnitude of a cross product of vectors with these magnitudes.
+inline Float4 cross_magnitude(const Float4& a, const Float4& b) {
+  return rotated(a * rotated(b) + rotated(a) * b);
+}
+
 inline Float4 sqrt(const Float4& v) {
   return {std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
 }

@@ -27,7 +27,7 @@ namespace {
 /// Returns an upper bound of how far dual quaternion skinning moves a vertex away from where linear
 /// blend skinning moves it.
 float longest_shift(const NodeBounds& bounds, const Palette& palette) {
-  const DualShift shift = dual_shift(bounds, 0, palette);
+  const DualShift shift = dual_shift(bounds, 0, palette, Float4(0.0f));
   float squared = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const float below = -shift.low[axis], above = shift.high[axis];

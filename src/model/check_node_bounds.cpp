@@ -40,10 +40,11 @@ class BoundsCheck {
 
   /// Later checks rely on the earlier ones.
   Problem run() {
-    for (const auto check : {&BoundsCheck::check_nodes, &BoundsCheck::check_joints,
-                             &BoundsCheck::check_joint_boxes, &BoundsCheck::check_shapes,
-                             &BoundsCheck::check_fits, &BoundsCheck::check_displacement_begin,
-                             &BoundsCheck::check_displacements, &BoundsCheck::check_dual_bounds})
+    for (const auto check :
+         {&BoundsCheck::check_nodes, &BoundsCheck::check_joints, &BoundsCheck::check_joint_boxes,
+          &BoundsCheck::check_shapes, &BoundsCheck::check_fits,
+          &BoundsCheck::check_displacement_begin, &BoundsCheck::check_displacements,
+          &BoundsCheck::check_links, &BoundsCheck::check_dual_bounds})
       if (Problem found = (this->*check)(); !found.empty()) return found;
     return {};
   }
@@ -57,6 +58,7 @@ class BoundsCheck {
   Problem check_fits();
   Problem check_displacement_begin();
   Problem check_displacements();
+  Problem check_links();
   Problem check_dual_bounds();
   Problem check_joint_pairs(std::size_t n);
 
@@ -185,6 +187,23 @@ Problem BoundsCheck::check_displacements() {
   return {};
 }
 
+Problem BoundsCheck::check_links() {
+  const std::vector<JointLink>& links = tree_.links;
+  if (tree_.dual_influences == 0 && !links.empty())
+    return problem("links has %zu elements with linear blend skinning", links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const JointLink& link = links[i];
+    if (link.first >= link.second || link.second >= tree_.joint_count)
+      return problem("links[%zu] has the joints %u and %u of %u", i, link.first, link.second,
+                     tree_.joint_count);
+    if (i > 0 && !(joints_of(links[i - 1]) < joints_of(link)))
+      return problem("links[%zu] does not ascend", i);
+    if (!is_point_within(link.centre, reach_) || !is_half_within(link.half, reach_))
+      return problem("links[%zu] is not a box within the mesh", i);
+  }
+  return {};
+}
+
 /// Checks that the pairs of each node follow those of the node before, as fitting stores them,
 /// children first.
 Problem BoundsCheck::check_dual_bounds() {
@@ -210,12 +229,14 @@ Problem BoundsCheck::check_dual_bounds() {
 
 Problem BoundsCheck::check_joint_pairs(std::size_t n) {
   const DualBound& dual = bounds_.dual_bounds[n];
-  const std::size_t joints = bounds_.nodes[n].joint_count;
+  const NodeBound& bound = bounds_.nodes[n];
+  const std::uint16_t* joints = bounds_.joints.data() + bound.first_joint;
   for (std::size_t i = dual.first_pair; i < std::size_t{dual.first_pair} + dual.pair_count; ++i) {
     const JointPair& pair = bounds_.joint_pairs[i];
-    if (pair.first >= joints || pair.second >= joints || pair.first == pair.second)
-      return problem("bounds.joint_pairs[%zu] has the joints %u and %u of %zu", i, pair.first,
-                     pair.second, joints);
+    if (pair.link >= tree_.links.size())
+      return problem("bounds.joint_pairs[%zu].link is %u of %zu", i, pair.link, tree_.links.size());
+    if (pair.first >= bound.joint_count || joints[pair.first] != tree_.links[pair.link].first)
+      return problem("bounds.joint_pairs[%zu].first is not the first joint of its link", i);
     if (!is_share(pair.least) || !is_share(pair.most) || !is_share(pair.skew))
       return problem("bounds.joint_pairs[%zu] has impossible products of weights", i);
     if (pair.pivot != 0 && pair.pivot != 1)

@@ -32,15 +32,21 @@
 /// The bound. A pair of joints that share a vertex stores the box of the rest positions of the
 /// vertices that follow both, and over these vertices the least and the most w_j w_k, and the most
 /// w_j w_k (|w_j - w_k| / 2 + sum_l w_l), its skew. The images of the box under T_j - T_k enclose
-/// p_j
-/// - p_k. The sum over pairs is bounded twice: by the sum over all pairs of the node, and by the
-/// hull of zero and all pairs times the largest sum of products of a vertex. The smaller one is
+/// p_j - p_k. The sum over pairs is bounded twice: by the sum over all pairs of the node, and by
+/// the hull of zero and all pairs times the largest sum of products of a vertex. The smaller one is
 /// used on each side. The sum is divided by n, which is at most one.
 ///
-/// Signs. Let joint 1 be the pivot of a vertex. D_1k is not negative by definition. D_jk of other
-/// pairs can be negative, but is not if all |D| of the node are at least 1/2: q_1 is within 60
-/// degrees of q_j and q_k, so these are within 120 degrees, and if D_jk were negative, it would be
-/// less than -1/2. Otherwise these pairs count with s^2 = 2 (1 + |D|), and with u of either sign.
+/// Links. What a pair needs of the palette is the same in all nodes and is computed once for the
+/// joints of a link (JointLink), as are bounds of |(p_j - p_k) x u_jk| and s_jk |p_j - p_k| over
+/// all rest positions of the mesh that follow both. Most nodes are far from a bent joint: the sum
+/// of these bounds times the most w_j w_k is small beside their boxes and is used instead.
+///
+/// Signs. Most palettes negate no q (Palette::negates_none), and no D_jk of a link is negative.
+/// Otherwise let joint 1 be the pivot of a vertex. D_1k is not negative by definition. D_jk of
+/// other pairs can be negative, but is not if all |D| of the node are at least 1/2: q_1 is within
+/// 60 degrees of q_j and q_k, so these are within 120 degrees, and if D_jk were negative, it would
+/// be less than -1/2. Otherwise these pairs count with s^2 = 2 (1 + |D|), and with u of either
+/// sign.
 ///
 /// n is bounded from below by 1 - sum_{j < k} w_j w_k s_jk^2, which equals it, and by the square of
 /// b.q_1 = w_1 + sum_k w_k D_1k >= 1 / K + (1 - 1 / K) min D_1k.
@@ -71,7 +77,8 @@ struct JointPair {
   float least = 0, most = 0;                     ///< of the products of their weights
   float skew = 0;
   float pivot = 0;  ///< 1 if one of them is the pivot of each vertex that has both, otherwise 0
-  std::uint16_t first = 0, second = 0;  ///< numbers among the joints of the node's bound
+  std::uint32_t link = 0;   ///< into the tree's links
+  std::uint32_t first = 0;  ///< number of the link's first joint among those of the node's bound
 };
 
 /// What a node's bound adds with dual quaternion skinning.

@@ -1,6 +1,7 @@
 #include "model/dual_fit.hpp"
 
 #include "model/intervals.hpp"
+#include "model/joint_links.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,17 +37,18 @@ class PairFit {
     skew_sum_ = std::max(skew_sum_, skews);
   }
 
-  DualFit finish(std::size_t vertex_count) const {
+  DualFit finish(const NodeVertices& vertices) const {
+    const std::span<const std::uint16_t> joints = vertices.joints();
     DualFit fit;
     for (const Sums& sums : sums_) {
       JointPair pair;
       sums.box.store(pair.centre, pair.half);
-      const bool is_everywhere = sums.count == vertex_count;
+      const bool is_everywhere = sums.count == vertices.places().size();
       pair.least = is_everywhere ? static_cast<float>(sums.product.low * (1 - 0x1p-20)) : 0;
       pair.most = up(sums.product.high);
       pair.skew = up(sums.skew);
-      pair.first = static_cast<std::uint16_t>(sums.first);
-      pair.second = static_cast<std::uint16_t>(sums.second);
+      pair.link = link_of(vertices.links(), joints[sums.first], joints[sums.second]);
+      pair.first = sums.first;
       pair.pivot = sums.with_pivot ? 1 : 0;
       fit.pairs.push_back(pair);
     }
@@ -95,19 +97,18 @@ DualFit fit_dual(const NodeVertices& vertices) {
     for (Share& share : shares) share.weight /= sum;
     fit.include(vertices.position(place), shares);
   }
-  return fit.finish(vertices.places().size());
+  return fit.finish(vertices);
 }
 
 DualBound add_dual(const DualFit& fit, std::span<const std::uint16_t> joints,
                    const NodeBound& bound, NodeBounds& bounds) {
   const auto own = bounds.joints.begin() + bound.first_joint;
-  const auto number = [&](std::uint16_t joint) {
-    return static_cast<std::uint16_t>(std::find(own, own + bound.joint_count, joints[joint]) - own);
+  const auto number = [&](std::uint32_t joint) {
+    return static_cast<std::uint32_t>(std::find(own, own + bound.joint_count, joints[joint]) - own);
   };
   const auto first_pair = static_cast<std::uint32_t>(bounds.joint_pairs.size());
   for (JointPair pair : fit.pairs) {
     pair.first = number(pair.first);
-    pair.second = number(pair.second);
     bounds.joint_pairs.push_back(pair);
   }
   return {first_pair, static_cast<std::uint32_t>(fit.pairs.size()), fit.product_sum, fit.skew_sum};

@@ -11,7 +11,7 @@
 
 namespace pelt::detail {
 
-/// The pairs of a node's joints, whose numbers are among `vertices.joints()`.
+/// The pairs of a node's joints. JointPair::first is a number among `vertices.joints()`.
 struct DualFit {
   std::vector<JointPair> pairs;
   float product_sum = 0, skew_sum = 0;

@@ -33,6 +33,7 @@ void each_array(AnyModel& model, Visit&& visit) {
   visit(model.tree.morphs.node_begin);
   visit(model.tree.morphs.targets);
   visit(model.tree.morphs.displacements);
+  visit(model.tree.links);
   visit(model.bounds.nodes);
   visit(model.bounds.joints);
   visit(model.bounds.joint_boxes);

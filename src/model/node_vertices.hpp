@@ -35,6 +35,7 @@ class NodeVertices {
   std::span<const std::uint16_t> joints() const { return joints_; }  ///< ascending
   float rest_extent() const { return tree_.rest_extent; }            ///< of the whole mesh
   bool is_dual() const { return tree_.dual_influences > 0; }
+  std::span<const JointLink> links() const { return tree_.links; }
   Vec3d position(std::uint32_t place) const { return Vec3d(tree_.rest_positions[place]); }
 
   /// Calls `visit(i, weight)` for each influence, whose joint is joints()[i].

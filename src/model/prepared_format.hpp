@@ -26,7 +26,7 @@ inline constexpr std::array<unsigned char, 8> kPreparedMagic = {0x8B, 'P',  'E',
                                                                 'T',  '\r', '\n', 0x1A};
 inline constexpr std::uint32_t kPreparedVersion = 4;
 inline constexpr std::uint32_t kByteOrderMark = 0x01020304, kForeignMark = 0x04030201;
-inline constexpr std::size_t kPreparedArrays = 25;
+inline constexpr std::size_t kPreparedArrays = 26;
 
 struct PreparedHeader {
   std::array<unsigned char, 8> magic = kPreparedMagic;
@@ -40,7 +40,6 @@ struct PreparedHeader {
   std::uint32_t dual_influences = 0;
   BuildReport report;
   std::array<std::uint32_t, kPreparedArrays> counts = {};  ///< elements of the arrays, in order
-  std::uint32_t unused = 0;  ///< padding, so that every byte of a file is defined
 };
 
 static_assert(sizeof(PreparedHeader) == 160 && std::is_trivially_copyable_v<PreparedHeader>);
@@ -50,7 +49,7 @@ static_assert(sizeof(Cluster) == 12 && std::has_unique_object_representations_v<
 static_assert(sizeof(Node) == 16 && std::has_unique_object_representations_v<Node>);
 static_assert(sizeof(NodeBound) == 20 && sizeof(JointBox) == 32 && sizeof(RestShape) == 96 &&
               sizeof(JointFit) == 48 && sizeof(DisplacementBox) == 36);
-static_assert(sizeof(DualBound) == 16 && sizeof(JointPair) == 52);
+static_assert(sizeof(DualBound) == 16 && sizeof(JointPair) == 56 && sizeof(JointLink) == 36);
 static_assert(sizeof(PoolTarget) == 12 && sizeof(PlacedDisplacement) == 16);
 
 /// Offset of the array that follows an array ending at `end`.

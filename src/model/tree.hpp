@@ -92,6 +92,8 @@ struct Tree {
 
   PoolMorphs morphs;
 
+  std::vector<JointLink> links;  // ascending; empty with linear blend skinning
+
   std::uint32_t joint_count = 0;
   float rest_extent = 0;              // as in SkinnedMesh
   std::uint32_t dual_influences = 0;  // as in SkinnedMesh
@@ -102,7 +104,8 @@ struct Tree {
 
 /// The palette of an instance in the rest pose.
 inline Palette rest_palette(const Tree& tree) {
-  return Palette(tree.joint_count, tree.rest_extent, tree.morphs.extents, tree.dual_influences);
+  return Palette(tree.joint_count, tree.rest_extent, tree.morphs.extents, tree.dual_influences,
+                 tree.links);
 }
 
 }  // namespace pelt::detail

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "model/clusters.hpp"
+#include "model/joint_links.hpp"
 #include "model/triangle_places.hpp"
 #include "model/triangles_below.hpp"
 #include "model/weld.hpp"
@@ -53,6 +54,7 @@ class TreeWriter {
   Tree write(const std::vector<WideNode>& nodes) && {
     for (const WideNode& node : nodes) write_node(node);
     write_vertex_places();
+    if (tree_.dual_influences > 0) tree_.links = find_joint_links(tree_);
     shrink();
     return std::move(tree_);
   }

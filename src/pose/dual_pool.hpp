@@ -5,100 +5,78 @@
 #include "geometry/points8.hpp"
 #include "model/tree.hpp"
 #include "skin/dual_skin.hpp"
+#include "skin/palette.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-/// Loads the dual quaternions `at(0)` to `at(7)`.
-template <typename At>
-inline Dual<Float8> gather_duals(const At& at) {
-  const DualQuaternion* q[8];
-  for (std::uint32_t lane = 0; lane < 8; ++lane) q[lane] = at(lane);
-  const auto real = [&](int lane) { return load4(q[lane]->real); };
-  const auto dual = [&](int lane) { return load4(q[lane]->dual); };
-  const Rows8 r = rows8(real(0), real(1), real(2), real(3), real(4), real(5), real(6), real(7));
-  const Rows8 e = rows8(dual(0), dual(1), dual(2), dual(3), dual(4), dual(5), dual(6), dual(7));
+/// The sum of the weighted dual quaternions of a vertex: the real part in the low half, the dual
+/// part in the high half. `kMayNegate`: some dual quaternions may count negated.
+template <bool kMayNegate>
+inline Float8 blend(const Tree& tree, std::uint32_t place, const DualQuaternion* palette) {
+  const std::uint16_t* joint = tree.joints.data() + tree.influence_begin[place];
+  const std::uint16_t* const end = tree.joints.data() + tree.influence_begin[place + 1];
+  const float* weight = tree.weights.data() + tree.influence_begin[place];
+  const DualQuaternion& pivot = palette[*joint];
+  const auto weighted = [](float factor, const DualQuaternion& dual) {
+    return Float8(factor) * Float8(load4(dual.real), load4(dual.dual));
+  };
+  Float8 sum = Float8(0.0f) + weighted(*weight, pivot);
+  while (++weight, ++joint != end) {
+    const DualQuaternion& dual = palette[*joint];
+    const bool is_negated = kMayNegate && dot(dual_of(pivot), dual_of(dual)) < 0;
+    sum = sum + weighted(is_negated ? -*weight : *weight, dual);
+  }
+  return sum;
+}
+
+/// The sums of eight vertices, one in each lane.
+inline Dual<Float8> transposed(const Float8 (&b)[8]) {
+  const Rows8 r = rows8(b[0].low(), b[1].low(), b[2].low(), b[3].low(), b[4].low(), b[5].low(),
+                        b[6].low(), b[7].low());
+  const Rows8 e = rows8(b[0].high(), b[1].high(), b[2].high(), b[3].high(), b[4].high(),
+                        b[5].high(), b[6].high(), b[7].high());
   return {r.x, r.y, r.z, r.w, e.x, e.y, e.z, e.w};
 }
 
-/// The influences of up to eight vertices of a pool. Lanes beyond the last vertex repeat it.
-class Influences8 {
- public:
-  Influences8(const Tree& tree, std::uint32_t place, std::uint32_t last)
-      : joints_(tree.joints.data()), weights_(tree.weights.data()) {
-    const std::uint32_t* begin = tree.influence_begin.data() + place;
-    for (std::uint32_t lane = 0; lane < 8; ++lane) {
-      const std::uint32_t vertex = lane < last ? lane : last;
-      begin_[lane] = begin[vertex];
-      count_[lane] = begin[vertex + 1] - begin[vertex];
-    }
+/// Poses up to eight vertices.
+template <bool kMayNegate, typename RestAt>
+void pose_dual_vertices(const Tree& tree, const RestAt& rest_at, const DualQuaternion* palette,
+                        std::uint32_t place, std::uint32_t count, float* out) {
+  Float8 blends[8];
+  Float4 points[8];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec3 v = rest_at(place + i, out + std::size_t{kFloatsPerVertex} * i);
+    points[i] = Float4(v.x, v.y, v.z, 0);
+    blends[i] = blend<kMayNegate>(tree, place + i, palette);
   }
+  for (std::uint32_t i = count; i < 8; ++i) points[i] = points[0], blends[i] = blends[0];
+  Points8 p = transpose8(points[0], points[1], points[2], points[3], points[4], points[5],
+                         points[6], points[7]);
+  move_point(transposed(blends), p.x, p.y, p.z);
+  points_of(p, points);
+  for (std::uint32_t i = 0; i < count; ++i)
+    store4(out + std::size_t{kFloatsPerVertex} * i, points[i]);
+}
 
-  /// The largest number of influences, because a pool is sorted by it.
-  std::uint32_t count() const { return count_[7]; }
-
-  Dual<Float8> duals(std::uint32_t k, const DualQuaternion* palette) const {
-    if (k < count_[0])  // all lanes have it
-      return gather_duals([&](std::uint32_t lane) { return palette + joints_[begin_[lane] + k]; });
-    return gather_duals(
-        [&](std::uint32_t lane) { return palette + joints_[begin_[lane] + known(lane, k)]; });
-  }
-
-  /// A lane without influence k has the weight zero.
-  Float8 weights(std::uint32_t k) const {
-    float weights[8];
-    if (k < count_[0]) {
-      for (std::uint32_t lane = 0; lane < 8; ++lane) weights[lane] = weights_[begin_[lane] + k];
-      return load8(weights);
-    }
-    for (std::uint32_t lane = 0; lane < 8; ++lane)
-      weights[lane] = k < count_[lane] ? weights_[begin_[lane] + k] : 0;
-    return load8(weights);
-  }
-
- private:
-  std::uint32_t known(std::uint32_t lane, std::uint32_t k) const {
-    return k < count_[lane] ? k : 0;
-  }
-
-  const std::uint16_t* joints_;
-  const float* weights_;
-  std::uint32_t begin_[8], count_[8];
-};
-
-inline Dual<Float8> blend8(const Influences8& influences, const DualQuaternion* palette) {
-  const Float8 zero(0.0f);
-  const Dual<Float8> pivot = influences.duals(0, palette);
-  Dual<Float8> sum = {zero, zero, zero, zero, zero, zero, zero, zero};
-  add(sum, influences.weights(0), pivot);
-  for (std::uint32_t k = 1; k < influences.count(); ++k) {
-    const Dual<Float8> dual = influences.duals(k, palette);
-    const Float8 weights = influences.weights(k);
-    add(sum, select(dot(pivot, dual) < zero, zero - weights, weights), dual);
-  }
-  return sum;
+template <bool kMayNegate, typename RestAt>
+void pose_dual_run(const Tree& tree, const RestAt& rest_at, const DualQuaternion* palette,
+                   std::uint32_t place, std::uint32_t end, float* out) {
+  for (; place + 8 <= end; place += 8, out += std::size_t{8} * kFloatsPerVertex)
+    pose_dual_vertices<kMayNegate>(tree, rest_at, palette, place, 8, out);
+  if (place < end) pose_dual_vertices<kMayNegate>(tree, rest_at, palette, place, end - place, out);
 }
 
 /// `rest_at(place, out)` returns the rest position of a vertex, where `out` is the destination of
 /// the posed vertex.
 template <typename RestAt>
-void pose_dual_pool(const Tree& tree, const RestAt& rest_at, const DualQuaternion* palette,
+void pose_dual_pool(const Tree& tree, const RestAt& rest_at, const Palette& palette,
                     std::uint32_t place, std::uint32_t end, float* out) {
-  for (; place < end; place += 8, out += std::size_t{8} * kFloatsPerVertex) {
-    const std::uint32_t last = end - place < 8 ? end - place - 1 : 7;
-    float rest[3][8];
-    for (std::uint32_t lane = 0; lane < 8; ++lane) {
-      const std::uint32_t vertex = lane < last ? lane : last;
-      const Vec3 v = rest_at(place + vertex, out + std::size_t{kFloatsPerVertex} * vertex);
-      rest[0][lane] = v.x, rest[1][lane] = v.y, rest[2][lane] = v.z;
-    }
-    Points8 p = {load8(rest[0]), load8(rest[1]), load8(rest[2])};
-    move_point(blend8(Influences8(tree, place, last), palette), p.x, p.y, p.z);
-    Float4 posed[8];
-    points_of(p, posed);
-    for (std::uint32_t lane = 0; lane <= last; ++lane)
-      store4(out + std::size_t{kFloatsPerVertex} * lane, posed[lane]);
-  }
+  const DualQuaternion* const duals = palette.duals().data();
+  if (palette.negates_none())
+    pose_dual_run<false>(tree, rest_at, duals, place, end, out);
+  else
+    pose_dual_run<true>(tree, rest_at, duals, place, end, out);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -75,7 +75,7 @@ template <typename RestAt>
 void pose_pool(const PosedTree& posed, const Node& node, const RestAt& rest_at, float* out) {
   const std::uint32_t begin = node.first_vertex, end = begin + node.vertex_count;
   if (posed.palette.is_dual())
-    pose_dual_pool(posed.tree, rest_at, posed.palette.duals().data(), begin, end, out);
+    pose_dual_pool(posed.tree, rest_at, posed.palette, begin, end, out);
   else
     pose_linear_pool(posed.tree, rest_at, posed.palette.joints().data(), begin, end, out);
 }

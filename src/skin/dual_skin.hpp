@@ -15,6 +15,10 @@
 /// equal weights, the lowest joint. The others follow in ascending order of their joints. Sums
 /// begin with zero, so that an influence without weight changes no bit.
 ///
+/// Q_k is the dual quaternion of the palette (Palette::set_dual_quaternions), which may be the
+/// negative of what the caller passed. This changes no bit, except of vertices with a dot product
+/// of exactly zero.
+///
 /// n is never near zero. All s_k q_k point to the side of q_1, so |b| >= w_1 >= 1 / K for K
 /// influences, up to rounding.
 

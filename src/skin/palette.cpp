@@ -39,6 +39,17 @@ Problem describe(const float* m, std::size_t joint) {
   return problem("palette[%zu] can move a vertex beyond 2^60 units", joint);
 }
 
+double dot(const float* a, const float* b) {
+  double sum = 0;
+  for (int i = 0; i < 4; ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+  return sum;
+}
+
+void negate(DualQuaternion& q) {
+  for (float& number : q.real) number = -number;
+  for (float& number : q.dual) number = -number;
+}
+
 void include(const PaletteScan& scan, PaletteScan& all) {
   all.linear = std::max(all.linear, scan.linear);
   all.translation = std::max(all.translation, scan.translation);
@@ -47,7 +58,7 @@ void include(const PaletteScan& scan, PaletteScan& all) {
 }  // namespace
 
 Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents,
-                 std::uint32_t dual_influences)
+                 std::uint32_t dual_influences, std::span<const JointLink> links)
     : joints_(joint_count),
       duals_(dual_influences > 0 ? joint_count : 0),
       morphs_(morph_extents),
@@ -55,9 +66,15 @@ Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const f
       rest_extent_(std::max(rest_extent, kLeastRestExtent)),
       reach_(double{rest_extent_}),
       extent_(extent_of(scan_, reach_)),
+      links_(links.begin(), links.end()),
+      aligned_with_(duals_.size()),
+      link_motions_(links.size()),
+      negates_none_(!links.empty()),
       next_joints_(duals_.size()),
       next_duals_(duals_.size()) {
   PELT_ASSERT(extent_ <= kMaxExtent);
+  for (const JointLink& link : links_)
+    if (aligned_with_[link.second] == 0) aligned_with_[link.second] = link.first;
 }
 
 Result<void> Palette::set(std::span<const float> floats) {
@@ -133,21 +150,25 @@ Result<void> Palette::set_dual_quaternions(std::span<const float> floats) {
   });
 }
 
-/// Converts once, because this takes long, and swaps the results if all joints are valid.
+/// Converts once, because this takes long, and swaps the results if all joints are valid. Of the
+/// two dual quaternions of a motion, takes the one closer to that of a linked joint; negates_none
+/// is then true for most poses.
 template <typename DualOf>
 Result<void> Palette::set_duals(const DualOf& dual_of) {
-  PaletteScan all;
   for (std::size_t j = 0; j < duals_.size(); ++j) {
     if (Problem found = dual_of(j, next_duals_[j]); !found.empty())
       return invalid_argument(std::move(found));
-    const Matrix4& matrix = next_joints_[j] = to_matrix(next_duals_[j]);
-    const PaletteScan scan = scan_palette(matrix.m.data(), 1);
-    if (!are_good(scan, reach_)) return invalid_argument(describe(matrix.m.data(), j));
-    include(scan, all);
+    if (dot(next_duals_[aligned_with_[j]].real, next_duals_[j].real) < 0) negate(next_duals_[j]);
+    next_joints_[j] = to_matrix(next_duals_[j]);
   }
+  const std::span<const float> floats = floats_of(next_joints_);
+  const PaletteScan scan = scan_palette(floats.data(), next_joints_.size());
+  if (!are_good(scan, reach_))
+    if (Problem found = find_bad_joint(floats, reach_); !found.empty())
+      return invalid_argument(std::move(found));
   std::swap(duals_, next_duals_);
   std::swap(joints_, next_joints_);
-  keep(all);
+  keep(scan);
   return {};
 }
 
@@ -163,6 +184,20 @@ float Palette::extent_of(const PaletteScan& scan, double reach) const {
 void Palette::keep(const PaletteScan& scan) {
   scan_ = scan;
   extent_ = extent_of(scan_, reach_);
+  move_links();
+}
+
+void Palette::move_links() {
+  const auto growth = std::nextafter(static_cast<float>(reach_ - double{rest_extent_}),
+                                     std::numeric_limits<float>::infinity());
+  const float slack = link_slack();
+  const auto moved = [&](std::uint32_t joint) { return MovedJoint{duals_[joint], joints_[joint]}; };
+  negates_none_ = !links_.empty();
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    link_motions_[i] =
+        motion_of(links_[i], moved(links_[i].first), moved(links_[i].second), growth, slack);
+    negates_none_ &= !(link_motions_[i].turn[3] < 0);
+  }
 }
 
 /// Skips the check of the joints if the weights displace no farther than before. This is necessary
@@ -176,7 +211,7 @@ Result<void> Palette::set_morph_weights(std::span<const float> weights) {
       return invalid_argument("morph_weights are too large: " + std::move(found));
   morphs_.set(weights);
   reach_ = reach;
-  extent_ = extent_of(scan_, reach_);
+  keep(scan_);
   return {};
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/bytes_held.hpp"
 #include "skin/dual_quaternion.hpp"
+#include "skin/joint_link.hpp"
 #include "skin/morph_weights.hpp"
 #include "skin/palette_scan.hpp"
 
@@ -36,9 +37,10 @@ class Palette {
  public:
   /// Identity matrices and zero weights, for a mesh with this `rest_extent` and with morph targets
   /// of these extents. `dual_influences` is the largest number of influences of a vertex if the
-  /// mesh has dual quaternion skinning, otherwise zero. Precondition: rest_extent < kMaxExtent.
+  /// mesh has dual quaternion skinning, otherwise zero; `links` are then those of the mesh, which
+  /// only bounds need. Precondition: rest_extent < kMaxExtent.
   Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents = {},
-          std::uint32_t dual_influences = 0);
+          std::uint32_t dual_influences = 0, std::span<const JointLink> links = {});
 
   /// Copies `floats`, 16 per joint, if they are valid; otherwise returns an error and changes
   /// nothing.
@@ -65,6 +67,18 @@ class Palette {
   std::span<const DualQuaternion> duals() const { return duals_; }
   std::uint32_t dual_influences() const { return dual_influences_; }
 
+  /// Rounding of the difference of the images of a rest position under two joints; see
+  /// model/dual_bounds.hpp.
+  float link_slack() const {
+    return 0x1p-18f * extent_ * static_cast<float>(1 + morphs_.active().size());
+  }
+
+  /// Whether no dual quaternion counts negated in any vertex; false if this is not known.
+  bool negates_none() const { return negates_none_; }
+
+  std::span<const JointLink> links() const { return links_; }
+  std::span<const LinkMotion> link_motions() const { return link_motions_; }  ///< one per link
+
   const MorphWeights& morphs() const { return morphs_; }
 
   /// Offsets of the vertices [V], borrowed from the caller, or none.
@@ -87,7 +101,8 @@ class Palette {
   float reach() const { return extent_ * 1.7320510f; }
 
   std::size_t memory_bytes() const {
-    return bytes_held(joints_, duals_, next_joints_, next_duals_) + morphs_.memory_bytes();
+    return bytes_held(joints_, duals_, next_joints_, next_duals_, links_, link_motions_, aligned_with_) +
+           morphs_.memory_bytes();
   }
 
  private:
@@ -95,6 +110,7 @@ class Palette {
   Problem find_bad_joint(std::span<const float> floats, double reach) const;
   float extent_of(const PaletteScan& joints, double reach) const;
   void keep(const PaletteScan& scan);
+  void move_links();
 
   template <typename MatrixOf>
   Result<void> set_by(const MatrixOf& matrix_of);
@@ -111,6 +127,11 @@ class Palette {
   float rest_extent_;
   double reach_;  // rest extent plus the extent of the weighted displacements
   float extent_;
+
+  std::vector<JointLink> links_;
+  std::vector<std::uint16_t> aligned_with_;  // by joint: one before it whose sign it follows, or 0
+  std::vector<LinkMotion> link_motions_;
+  bool negates_none_;
 
   // Working memory of set_duals; empty with linear blend skinning.
   std::vector<Matrix4> next_joints_;

@@ -2,6 +2,7 @@
 
 #include "model/model.hpp"
 #include "model/node_box.hpp"
+#include "support/dual_shapes.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -99,6 +100,49 @@ const Breach kBreaches[] = {
     {"displacements[0] is not a box", [](NodeBounds& b) { b.displacements[0].half[2] = -1; }},
     {"displacements[0] is not a box", [](NodeBounds& b) { b.displacements[0].half[3] = 1; }},
 };
+
+struct DualBreach {
+  const char* words;
+  void (*commit)(Tree&, NodeBounds&);
+};
+
+const DualBreach kDualBreaches[] = {
+    {"with linear blend skinning", [](Tree& t, NodeBounds&) { t.dual_influences = 0; }},
+    {"links[0] has the joints", [](Tree& t, NodeBounds&) { t.links[0].second = 5; }},
+    {"links[0] has the joints", [](Tree& t, NodeBounds&) { t.links[0].first = 4; }},
+    {"links[1] does not ascend", [](Tree& t, NodeBounds&) { t.links[1] = t.links[0]; }},
+    {"links[1] is not a box", [](Tree& t, NodeBounds&) { t.links[1].centre[0] = kNan; }},
+    {"links[1] is not a box", [](Tree& t, NodeBounds&) { t.links[1].half[2] = -1; }},
+    {"links[1] is not a box", [](Tree& t, NodeBounds&) { t.links[1].half[0] = 1e9f; }},
+
+    {"dual_bounds has 0", [](Tree&, NodeBounds& b) { b.dual_bounds.clear(); }},
+    {"other joint_pairs", [](Tree&, NodeBounds& b) { b.dual_bounds.front().first_pair = 0; }},
+    {"other joint_pairs", [](Tree&, NodeBounds& b) { b.dual_bounds.front().pair_count = 10000; }},
+    {"has sums of", [](Tree&, NodeBounds& b) { b.dual_bounds.back().product_sum = 0.6f; }},
+    {"has sums of", [](Tree&, NodeBounds& b) { b.dual_bounds.back().skew_sum = kNan; }},
+    {"of ", [](Tree&, NodeBounds& b) { b.joint_pairs.push_back(b.joint_pairs.back()); }},
+    {"link is 7 of 7", [](Tree&, NodeBounds& b) { b.joint_pairs[0].link = 7; }},
+    {"first is not", [](Tree&, NodeBounds& b) { b.joint_pairs[0].first = 0xFFFFFFFF; }},
+    {"first is not", [](Tree&, NodeBounds& b) { b.joint_pairs.back().first ^= 1; }},
+    {"impossible products", [](Tree&, NodeBounds& b) { b.joint_pairs[0].least = -1; }},
+    {"impossible products", [](Tree&, NodeBounds& b) { b.joint_pairs[0].most = kNan; }},
+    {"impossible products", [](Tree&, NodeBounds& b) { b.joint_pairs[0].skew = 1; }},
+    {"pivot is 0.5", [](Tree&, NodeBounds& b) { b.joint_pairs[0].pivot = 0.5f; }},
+    {"joint_pairs[0] is not a box", [](Tree&, NodeBounds& b) { b.joint_pairs[0].half[1] = -1; }},
+};
+
+TEST(CheckNodeBounds, FindsEveryBreachOfDualBounds) {
+  const Model sound = build_model(test::make_limb(40, 12, 5).view(), test::kDual)->detail();
+  ASSERT_EQ(sound.tree.links.size(), 7u);
+  ASSERT_EQ(check_node_bounds(sound.bounds, sound.tree), "");
+  for (const DualBreach& breach : kDualBreaches) {
+    Model model = sound;
+    breach.commit(model.tree, model.bounds);
+    const Problem found = check_node_bounds(model.bounds, model.tree);
+    EXPECT_NE(found.find(breach.words), std::string::npos)
+        << "expected: " << breach.words << "\nfound:    " << found;
+  }
+}
 
 TEST(CheckNodeBounds, FindsNothingInSoundBounds) {
   Random random(303);

@@ -26,7 +26,11 @@ NodeBoxFunction compiled_node_box;
 }
 namespace scalar {
 NodeBoxFunction compiled_node_box;
-}
+
+/// detail::dual_box with this tolerance.
+PlainBox compiled_dual_box(const detail::NodeBounds& bounds, std::uint32_t node,
+                           const detail::Palette& palette, float tolerance);
+}  // namespace scalar
 
 struct CompiledNodeBox {
   InstructionSet set;

@@ -50,8 +50,11 @@ struct DualBounded {
 };
 
 struct Tally {
-  std::size_t boxes = 0, affine = 0, shifted = 0;
+  std::size_t boxes = 0, affine = 0, shifted = 0, tightened = 0;
 };
+
+/// By the boxes of the links alone, and by those of the node's pairs.
+constexpr float kByLinks = 0x1p60f, kByPairs = -1;
 
 void expect_enclosed(const DualBounded& bounded, const Palette& palette, Tally& tally) {
   const std::vector<Vec3> posed = test::pose(bounded.vertices, palette);
@@ -65,7 +68,14 @@ void expect_enclosed(const DualBounded& bounded, const Palette& palette, Tally& 
       if (runs_here(compiled.set)) {
         ASSERT_EQ(compiled.node_box(bounded.bounds, node, palette), box);
       }
+    const auto box_by = [&](float tolerance) {
+      return test::scalar::compiled_dual_box(bounded.bounds, node, palette, tolerance);
+    };
+    const PlainBox by_links = box_by(kByLinks), by_pairs = box_by(kByPairs);
+    ASSERT_TRUE(encloses(by_links, exact)) << excess(by_links, exact);
+    ASSERT_TRUE(encloses(by_pairs, exact)) << excess(by_pairs, exact);
     ++tally.boxes;
+    tally.tightened += by_links != by_pairs;
     tally.affine += bounded.bounds.nodes[node].is_affine();
     tally.shifted += !encloses(test::node_box(bounded.unshifted, node, palette), exact);
   }
@@ -86,10 +96,11 @@ TEST(DualBounds, EncloseSoupsOfAnyWeightsInAnyPose) {
             if (HasFatalFailure()) return;
           }
       }
-  std::printf("%zu boxes, %zu affine, %zu wrong without the shift\n", tally.boxes, tally.affine,
-              tally.shifted);
+  std::printf("%zu boxes, %zu affine, %zu wrong without the shift, %zu tighter by pairs\n",
+              tally.boxes, tally.affine, tally.shifted, tally.tightened);
   EXPECT_GT(tally.boxes, 50000u);
   EXPECT_GT(tally.shifted, 1000u);
+  EXPECT_GT(tally.tightened, 1000u);
 }
 
 TEST(DualBounds, EncloseBentAndTwistedLimbs) {

@@ -13,7 +13,7 @@ namespace {
 // add it there too.
 static_assert(sizeof(detail::PoolMorphs) == 4 * sizeof(std::vector<int>));
 static_assert(sizeof(detail::Tree) ==
-              16 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 16);
+              17 * sizeof(std::vector<int>) + sizeof(detail::PoolMorphs) + 16);
 static_assert(sizeof(detail::NodeBounds) == 10 * sizeof(std::vector<int>));
 
 template <typename... Array>
@@ -29,12 +29,12 @@ TEST(ModelMemory, CountsEveryArrayAndNeedsLittleMore) {
   ASSERT_TRUE(model);
   const auto& [positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
                clusters, nodes, triangles_below, lowest_below, places, place_vertices, caps, welded,
-               morphs, joint_count, extent, dual_influences] = model->detail().tree;
+               morphs, links, joint_count, extent, dual_influences] = model->detail().tree;
   const auto& bounds = model->detail().bounds;
   const std::size_t used =
       bytes_of(positions, begins, joints, weights, corners, ids, triangle_places, cluster_vertices,
-               clusters, nodes, triangles_below, lowest_below, places, place_vertices, caps,
-               welded) +
+               clusters, nodes, triangles_below, lowest_below, places, place_vertices, caps, welded,
+               links) +
       bytes_of(morphs.extents, morphs.node_begin, morphs.targets, morphs.displacements) +
       bytes_of(bounds.nodes, bounds.joints, bounds.joint_boxes, bounds.shapes, bounds.fits,
                bounds.displacement_begin, bounds.displacements, bounds.dual_bounds,

@@ -148,7 +148,7 @@ const Forgery kMendedForgeries[] = {
     {"rest_extent is inf", [](detail::PreparedHeader& h) { h.rest_extent = HUGE_VALF; }},
     {"its arrays take", [](detail::PreparedHeader& h) { h.counts[0] = UINT32_MAX; }},
     {"its arrays take", [](detail::PreparedHeader& h) { h.counts.fill(UINT32_MAX); }},
-    {"its arrays take", [](detail::PreparedHeader& h) { h.counts[18] -= 1; }},
+    {"its arrays take", [](detail::PreparedHeader& h) { h.counts[19] -= 1; }},
 };
 
 TEST(Prepared, NamesWhatAForgerHasDoneToTheHeader) {
