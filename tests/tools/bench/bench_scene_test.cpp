@@ -93,7 +93,7 @@ TEST(BenchScene, MeasuresDualQuaternionSkinning) {
   for (const bool forgets : {false, true}) {
     BenchSettings settings = settings_with({method_of(methods::kOnDemand)});
     if (forgets) settings.methods = {forgetful(10)};
-    settings.models.skinning = pelt::Skinning::dual_quaternion;
+    settings.models.skinning = "dual-quaternion";
     std::vector<SceneFigures> figures;
     std::ostringstream errors;
     const Result<arguments::ExitCode> exit = bench_scene(walkers(), settings, figures, errors);
