@@ -101,7 +101,8 @@ class Palette {
   float reach() const { return extent_ * 1.7320510f; }
 
   std::size_t memory_bytes() const {
-    return bytes_held(joints_, duals_, next_joints_, next_duals_, links_, link_motions_, aligned_with_) +
+    return bytes_held(joints_, duals_, next_joints_, next_duals_, links_, link_motions_,
+                      aligned_with_) +
            morphs_.memory_bytes();
   }
 

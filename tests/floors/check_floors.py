@@ -21,7 +21,8 @@ LIBRARY = ["include/pelt", "src/base", "src/geometry", "src/skin", "src/model", 
            "src/crowd"]
 FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings",
           *("tools/pelt/" + f for f in ("output", "arguments", "methods", "scene", "query", "bench",
-                                        "picture", "prepared", "page", "check", "shard", "verbs")),
+                                        "picture", "prepared", "page", "check", "list", "shard",
+                                        "verbs")),
           "tools/pelt"]
 
 COMMAND = ["asset", "scenes", *(f for f in FLOORS if f.startswith("tools/pelt"))]
