@@ -3,6 +3,7 @@
 #include "base/float4.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace pelt::detail {
 namespace {
@@ -27,7 +28,7 @@ LinkMotion motion_of(const JointLink& link, const MovedJoint& first, const Moved
   const Float4 turn = Float4(cosine < 0 ? -1.0f : 1.0f) * turn_between(a, b);
   const float squared = 2 * (1 - magnitude) + kCosineRounding;
 
-  const auto column = [&](int i) {
+  const auto column = [&](std::size_t i) {
     return load4(&first.matrix.m[4 * i]) - load4(&second.matrix.m[4 * i]);
   };
   const Float4 x = column(0), y = column(1), z = column(2);
