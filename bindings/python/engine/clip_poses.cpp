@@ -13,6 +13,17 @@ std::size_t count_frames(const py::array& array, const std::string& name) {
   return static_cast<std::size_t>(array.shape(0));
 }
 
+/// The matrix with these three rows. Faster to pass on than a Matrix3x4, which is converted to
+/// columns twice.
+Matrix4 from_rows(const float* rows) {
+  Matrix4 matrix;
+  for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t row = 0; row < 3; ++row) matrix.m[4 * column + row] = rows[4 * row + column];
+    matrix.m[4 * column + 3] = column == 3 ? 1 : 0;
+  }
+  return matrix;
+}
+
 std::string list_of(std::size_t first, const char* others) {
   return "[F, " + std::to_string(first) + others;
 }
@@ -78,15 +89,14 @@ void ClipPoses::set_palette(Pose& pose, std::size_t frame, Memory& memory) const
 }
 
 void ClipPoses::read_palette(std::size_t frame, Memory& memory) const {
-  static_assert(sizeof(Matrix3x4) == 12 * sizeof(float));
+  const std::size_t rows = palettes_->size(2);
   memory.palette.resize(model().joint_count());
-  if (palettes_->size(2) == 3) return palettes_->copy(frame, memory.palette.data()->m.data());
-  memory.matrices.resize(16 * memory.palette.size());
+  memory.matrices.resize(4 * rows * memory.palette.size());
   palettes_->copy(frame, memory.matrices.data());
-  for (std::size_t joint = 0; joint < memory.palette.size(); ++joint) {
-    const float* const matrix = memory.matrices.data() + 16 * joint;
-    std::copy_n(matrix, 12, memory.palette[joint].m.begin());
-    check_last_row(matrix + 12, frame, joint);
+  const float* matrix = memory.matrices.data();
+  for (std::size_t joint = 0; joint < memory.palette.size(); ++joint, matrix += 4 * rows) {
+    if (rows == 4) check_last_row(matrix + 12, frame, joint);
+    memory.palette[joint] = from_rows(matrix);
   }
 }
 

@@ -42,8 +42,8 @@ class ClipPoses {
 
   /// Working memory of `set`.
   struct Memory {
-    std::vector<float> matrices;  // of 4 x 4 elements
-    std::vector<Matrix3x4> palette;
+    std::vector<float> matrices;  // row by row
+    std::vector<Matrix4> palette;
     std::vector<float> morph_weights;
     std::vector<Vec3> vertices;
     std::vector<Vec3> offsets;  // borrowed by the pose
