@@ -41,14 +41,16 @@ class BodySet {
     const bool any = std::any_of(weights.begin(), weights.end(), [](float w) { return w != 0; });
     if (any && !Traits::kMorphs)
       return Error{ErrorCode::unsupported,
-                   "this method has no bounds for morph targets: choose another method"};
+                   "this method has no bounds for morph targets: choose "
+                   "on_demand, eager or brute with --method (pelt bench: --methods)"};
     return palettes_[body].set_morph_weights(weights);
   }
 
   Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) {
     if (palettes_[body].is_dual() && !Traits::kMorphs)
       return Error{ErrorCode::unsupported,
-                   "this method has no bounds for dual quaternion skinning: choose another method"};
+                   "this method has no bounds for dual quaternion skinning: choose "
+                   "on_demand, eager or brute with --method (pelt bench: --methods)"};
     Result<void> taken = palettes_[body].set(palette);
     if (taken) update_work_ += Traits::update(*bodies_[body], palettes_[body]);
     return taken;
