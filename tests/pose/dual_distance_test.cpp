@@ -52,6 +52,13 @@ double point_distance(const std::vector<TriangleCorners>& triangles, const Vec3&
   return std::sqrt(least);
 }
 
+/// A point at most `distance` from a random corner on each axis.
+Vec3 point_near(Random& random, const std::vector<TriangleCorners>& triangles, double distance) {
+  const Vec3 corner = triangles[random.index(static_cast<std::uint32_t>(triangles.size()))][0];
+  const Vec3 off = random.point(distance);
+  return {corner.x + off.x, corner.y + off.y, corner.z + off.z};
+}
+
 TEST(DualDistance, OfPointsIsTheLeastOfAllTriangles) {
   Random random(161);
   std::size_t found = 0;
@@ -59,9 +66,7 @@ TEST(DualDistance, OfPointsIsTheLeastOfAllTriangles) {
     const auto triangles = posed_triangles(body.shape.triangles, body.to);
     Scratch scratch;
     for (int i = 0; i < 20; ++i) {
-      const Vec3 corner = triangles[random.index(static_cast<std::uint32_t>(triangles.size()))][0];
-      const Vec3 off = random.point(0.3);
-      const Vec3 point = {corner.x + off.x, corner.y + off.y, corner.z + off.z};
+      const Vec3 point = point_near(random, triangles, 0.3);
       ClosestPoint closest;
       closest_point(body.to, point, scratch, closest);
       const double expected = point_distance(triangles, point);
@@ -97,9 +102,7 @@ TEST(DualDistance, SidesAreWhereTheSurfaceWinds) {
     const auto triangles = posed_triangles(body.shape.triangles, body.to);
     Scratch scratch;
     for (int i = 0; i < 40; ++i) {
-      const Vec3 corner = triangles[random.index(static_cast<std::uint32_t>(triangles.size()))][0];
-      const Vec3 off = random.point(0.1);
-      const Vec3 point = {corner.x + off.x, corner.y + off.y, corner.z + off.z};
+      const Vec3 point = point_near(random, triangles, 0.1);
       const double winding = winding_number(triangles, point);
       if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near for this method
       PointSide side = PointSide::outside;
