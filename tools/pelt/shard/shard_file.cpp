@@ -177,47 +177,50 @@ Result<void> Shards::check_inputs(const scenes::Scene& scene) const {
                           "again");
 }
 
+Result<void> Shards::each_shard(const ReadShard& read) const {
+  const auto count = static_cast<std::uint32_t>(paths_.size());
+  for (std::uint32_t s = 0; s < count; ++s) {
+    std::ifstream in(paths_[s], std::ios::binary);
+    std::string header;
+    read_line(in, header);
+    if (const auto done = read(paths_[s], {s + 1, count}, in); !done) return done;
+  }
+  return {};
+}
+
 Result<void> Shards::replay(
     const scene::StagedScene& staged, const check::CheckSettings& settings,
     const std::function<Result<void>(const check::FrameAnswer& answer)>& use) const {
   const std::vector<std::uint32_t> frames = settings.frames.frames();
-  const auto count = static_cast<std::uint32_t>(paths_.size());
-  std::string line, next;
-  for (std::uint32_t s = 0; s < count; ++s) {
-    const Shard shard = {s + 1, count};
-    std::ifstream in(paths_[s], std::ios::binary);
-    read_line(in, line);  // the header
+  return each_shard([&](const std::string& path, Shard shard, std::istream& in) -> Result<void> {
     for (std::size_t i = shard.begin_of(frames.size()); i < shard.end_of(frames.size()); ++i) {
       const auto from = step_from(staged.scene, frames, i, settings.substeps.has_value());
       const auto answer = read_answer(in, {staged, frames[i], from});
       if (!answer)
         return incomplete(
-            paths_[s], shard,
+            path, shard,
             ("frame " + std::to_string(frames[i]) + ": " + answer.error().message).c_str());
       if (const auto used = use(*answer); !used) return used;
     }
-    if (!read_line(in, line) || read_line(in, next))
-      return incomplete(paths_[s], shard, "has more frames than the shard");
-  }
-  return {};
+    std::string last, next;
+    if (!read_line(in, last) || read_line(in, next))
+      return incomplete(path, shard, "has more frames than the shard");
+    return {};
+  });
 }
 
 Result<void> Shards::replay_scenes(const list::UseScene& use) const {
-  const auto count = static_cast<std::uint32_t>(paths_.size());
-  std::string line, next;
-  for (std::uint32_t s = 0; s < count; ++s) {
-    const Shard shard = {s + 1, count};
-    std::ifstream in(paths_[s], std::ios::binary);
-    read_line(in, line);  // the header
+  return each_shard([&](const std::string& path, Shard shard, std::istream& in) -> Result<void> {
     for (std::size_t i = shard.begin_of(scenes()); i < shard.end_of(scenes()); ++i) {
       const std::optional<list::SceneAnswer> answer = read_scene(in);
-      if (!answer) return incomplete(paths_[s], shard, "lacks a scene");
+      if (!answer) return incomplete(path, shard, "lacks a scene");
       if (const auto used = use(*answer); !used) return used;
     }
-    if (!read_line(in, line)) return incomplete(paths_[s], shard, "lacks a line of a scene");
-    if (read_line(in, next)) return incomplete(paths_[s], shard, "has more scenes than the shard");
-  }
-  return {};
+    std::string last, next;
+    if (!read_line(in, last)) return incomplete(path, shard, "lacks a line of a scene");
+    if (read_line(in, next)) return incomplete(path, shard, "has more scenes than the shard");
+    return {};
+  });
 }
 
 }  // namespace pelt::tools::shard

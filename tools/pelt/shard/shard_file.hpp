@@ -65,6 +65,11 @@ class Shards {
   Result<void> replay_scenes(const list::UseScene& use) const;
 
  private:
+  using ReadShard = std::function<Result<void>(const std::string& path, Shard, std::istream&)>;
+
+  /// Opens the files of all shards in order, and passes each behind its header to `read`.
+  Result<void> each_shard(const ReadShard& read) const;
+
   std::vector<std::string> paths_;  // in order of shards
   check::CheckArguments arguments_;
   nlohmann::json inputs_;
