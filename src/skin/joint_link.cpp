@@ -1,18 +1,13 @@
 #include "skin/joint_link.hpp"
 
 #include "base/float4.hpp"
+#include "skin/dual_skin.hpp"
 
 #include <cmath>
 #include <cstddef>
 
 namespace pelt::detail {
 namespace {
-
-/// The dot product in the order of dual_skin.hpp, so that its sign is that of the definition.
-float dot(const Float4& a, const Float4& b) {
-  const Float4 p = a * b;
-  return (p[0] + p[2]) + (p[1] + p[3]);
-}
 
 /// The vector part of a b*.
 Float4 turn_between(const Float4& a, const Float4& b) {
@@ -24,7 +19,9 @@ Float4 turn_between(const Float4& a, const Float4& b) {
 LinkMotion motion_of(const JointLink& link, const MovedJoint& first, const MovedJoint& second,
                      float growth, float slack) {
   const Float4 a = load4(first.dual.real), b = load4(second.dual.real);
-  const float cosine = dot(a, b), magnitude = std::fabs(cosine);
+  // The dot product of the definition, so that its sign is the same.
+  const float cosine = dot(dual_of(first.dual), dual_of(second.dual));
+  const float magnitude = std::fabs(cosine);
   const Float4 turn = Float4(cosine < 0 ? -1.0f : 1.0f) * turn_between(a, b);
   const float squared = 2 * (1 - magnitude) + kCosineRounding;
 

@@ -18,18 +18,20 @@ inline std::pair<std::uint16_t, std::uint16_t> joints_of(const JointLink& link) 
   return {link.first, link.second};
 }
 
-/// What a palette does to the joints of a link. model/dual_bounds.hpp has the symbols and the
-/// rounding.
+/// The motion of the two joints of a link in a palette. Vectors are in the frame of the palette.
+/// model/dual_bounds.hpp has the symbols and the rounding.
 struct LinkMotion {
-  float low[4] = {}, high[4] = {};  ///< of (p_j - p_k) x u_jk in the link's box; high[3] is s_jk^2
-  float swell[4] = {0, 0, 0, 1};    ///< of s_jk |p_j - p_k| in the link's box; |D_jk|
-  float turn[4] = {0, 0, 0, 1};     ///< u_jk, of the sign that makes D_jk positive; D_jk as it is
+  float low[4] = {},
+        high[4] = {};  ///< bounds of (p_j - p_k) x u_jk in the link's box; high[3]: s_jk^2
+  float swell[4] = {0, 0, 0, 1};  ///< bound of s_jk |p_j - p_k| in the link's box; swell[3]: |D_jk|
+  float turn[4] = {0, 0, 0,
+                   1};  ///< u_jk, with the sign that makes D_jk positive; turn[3]: D_jk, signed
 };
 
 /// Rounding of a product of two unit quaternions.
 inline constexpr float kCosineRounding = 0x1p-20f;
 
-/// Where a palette moves a joint.
+/// A joint of a palette.
 struct MovedJoint {
   const DualQuaternion& dual;
   const Matrix4& matrix;

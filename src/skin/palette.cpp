@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/problem.hpp"
+#include "skin/dual_skin.hpp"
 #include "skin/matrix_forms.hpp"
 #include "skin/palette_scan.hpp"
 #include "skin/skinned_mesh.hpp"
@@ -37,12 +38,6 @@ Problem describe(const float* m, std::size_t joint) {
         joint, static_cast<double>(m[3]), static_cast<double>(m[7]), static_cast<double>(m[11]),
         static_cast<double>(m[15]));
   return problem("palette[%zu] can move a vertex beyond 2^60 units", joint);
-}
-
-double dot(const float* a, const float* b) {
-  double sum = 0;
-  for (int i = 0; i < 4; ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-  return sum;
 }
 
 void negate(DualQuaternion& q) {
@@ -158,7 +153,8 @@ Result<void> Palette::set_duals(const DualOf& dual_of) {
   for (std::size_t j = 0; j < duals_.size(); ++j) {
     if (Problem found = dual_of(j, next_duals_[j]); !found.empty())
       return invalid_argument(std::move(found));
-    if (dot(next_duals_[aligned_with_[j]].real, next_duals_[j].real) < 0) negate(next_duals_[j]);
+    const DualQuaternion& linked = next_duals_[aligned_with_[j]];
+    if (dot(detail::dual_of(linked), detail::dual_of(next_duals_[j])) < 0) negate(next_duals_[j]);
     next_joints_[j] = to_matrix(next_duals_[j]);
   }
   const std::span<const float> floats = floats_of(next_joints_);
