@@ -5,6 +5,7 @@
 
 #include "base/float4.hpp"
 
+#include <cmath>
 #include <cstring>
 
 #if defined(PELT_INSTRUCTION_SET_AVX2)
@@ -49,6 +50,7 @@ inline bool both(bool a, bool b) { return a && b; }
 inline bool is_any(bool yes) { return yes; }
 inline unsigned bits_of(bool yes) { return yes; }
 inline double choose(bool mask, double yes, double no) { return mask ? yes : no; }
+inline double square_root(double a) { return std::sqrt(a); }
 
 #if defined(PELT_INSTRUCTION_SET_AVX2)
 using DoubleLanes = double __attribute__((vector_size(32)));
@@ -57,7 +59,9 @@ using DoubleYes = decltype(DoubleLanes() < DoubleLanes());
 inline DoubleLanes double_lanes(double x, double y, double z, double w) {
   return DoubleLanes{x, y, z, w};
 }
-inline DoubleLanes widened(Lanes f) { return __builtin_convertvector(f, DoubleLanes); }
+inline DoubleLanes widened(Lanes f) { return _mm256_cvtps_pd(f); }
+inline Lanes narrowed(DoubleLanes d) { return _mm256_cvtpd_ps(d); }
+inline DoubleLanes square_root(DoubleLanes a) { return _mm256_sqrt_pd(a); }
 inline DoubleYes both(DoubleYes a, DoubleYes b) { return a & b; }
 inline unsigned bits_of(DoubleYes yes) {
   return static_cast<unsigned>(_mm256_movemask_pd(DoubleLanes(yes)));
@@ -87,6 +91,7 @@ inline unsigned bits_of(DoubleYes yes) {
 inline DoublePair choose(DoubleYes mask, DoublePair yes, DoublePair no) {
   return DoublePair((mask & DoubleYes(yes)) | (~mask & DoubleYes(no)));
 }
+inline DoublePair square_root(DoublePair a) { return DoublePair{std::sqrt(a[0]), std::sqrt(a[1])}; }
 #endif
 using DoubleLanes = TwoHalves<DoublePair>;
 
@@ -94,6 +99,12 @@ inline DoubleLanes double_lanes(double x, double y, double z, double w) {
   return {DoublePair{x, y}, DoublePair{z, w}};
 }
 inline DoubleLanes widened(const Lanes& f) { return double_lanes(f[0], f[1], f[2], f[3]); }
+inline Lanes narrowed(const DoubleLanes& d) {
+  double lanes[4];
+  std::memcpy(lanes, &d, sizeof lanes);
+  return make_lanes(static_cast<float>(lanes[0]), static_cast<float>(lanes[1]),
+                    static_cast<float>(lanes[2]), static_cast<float>(lanes[3]));
+}
 #endif
 
 template <typename Half>
@@ -108,6 +119,10 @@ template <typename Half>
 unsigned bits_of(const TwoHalves<Half>& yes) {
   constexpr unsigned kLanesOfHalf = sizeof(Half) == sizeof(bool) ? 1 : 2;
   return bits_of(yes.low) | bits_of(yes.high) << kLanesOfHalf;
+}
+template <typename Half>
+TwoHalves<Half> square_root(const TwoHalves<Half>& a) {
+  return {square_root(a.low), square_root(a.high)};
 }
 template <typename Yes, typename Half>
 TwoHalves<Half> choose(const TwoHalves<Yes>& mask, const TwoHalves<Half>& yes,
@@ -124,6 +139,8 @@ struct Double4 {
   explicit Double4(const Float4& f) : lanes(widened(f.lanes)) {}
 
   void store(double* p) const { std::memcpy(p, &lanes, sizeof lanes); }
+
+  Float4 rounded() const { return Float4(narrowed(lanes)); }
 };
 
 /// A boolean for each lane.
@@ -139,6 +156,7 @@ inline Double4 operator-(const Double4& a, const Double4& b) { return Double4(a.
 inline Double4 operator-(const Double4& a) { return Double4(-a.lanes); }
 inline Double4 operator*(const Double4& a, const Double4& b) { return Double4(a.lanes * b.lanes); }
 inline Double4 operator/(const Double4& a, const Double4& b) { return Double4(a.lanes / b.lanes); }
+inline Double4 sqrt(const Double4& a) { return Double4(square_root(a.lanes)); }
 inline MaskDouble4 operator<(const Double4& a, const Double4& b) { return {a.lanes < b.lanes}; }
 inline MaskDouble4 operator&(const MaskDouble4& a, const MaskDouble4& b) {
   return {both(a.lanes, b.lanes)};

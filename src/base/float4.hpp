@@ -196,9 +196,16 @@ inline void store4(float* p, const Float4& v) { std::memcpy(p, &v.lanes, sizeof 
 
 /// Transposes a 4 x 4 matrix.
 inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d) {
+#if defined(__SSE2__) && !defined(PELT_SCALAR)
+  const Lanes ab_xy = _mm_unpacklo_ps(a.lanes, b.lanes), ab_zw = _mm_unpackhi_ps(a.lanes, b.lanes);
+  const Lanes cd_xy = _mm_unpacklo_ps(c.lanes, d.lanes), cd_zw = _mm_unpackhi_ps(c.lanes, d.lanes);
+  a = Float4(_mm_movelh_ps(ab_xy, cd_xy)), b = Float4(_mm_movehl_ps(cd_xy, ab_xy));
+  c = Float4(_mm_movelh_ps(ab_zw, cd_zw)), d = Float4(_mm_movehl_ps(cd_zw, ab_zw));
+#else
   const Float4 x(a[0], b[0], c[0], d[0]), y(a[1], b[1], c[1], d[1]);
   const Float4 z(a[2], b[2], c[2], d[2]), w(a[3], b[3], c[3], d[3]);
   a = x, b = y, c = z, d = w;
+#endif
 }
 
 }  // namespace PELT_INSTRUCTION_SET

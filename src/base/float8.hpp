@@ -197,27 +197,32 @@ inline Rows8 rows8(const Float4& p0, const Float4& p1, const Float4& p2, const F
 #endif
 }
 
-/// Writes the points one by one, the inverse of `transpose8`. Fourth lanes are meaningless.
-inline void points_of(const Points8& p, Float4 (&points)[8]) {
+/// Writes the vectors one by one, the inverse of `rows8`.
+inline void vectors_of(const Rows8& rows, Float4 (&vectors)[8]) {
 #if defined(PELT_INSTRUCTION_SET_AVX2)
-  const __m256 xy_low = _mm256_unpacklo_ps(p.x.lanes, p.y.lanes);
-  const __m256 xy_high = _mm256_unpackhi_ps(p.x.lanes, p.y.lanes);
-  const __m256 z_low = _mm256_unpacklo_ps(p.z.lanes, p.z.lanes);
-  const __m256 z_high = _mm256_unpackhi_ps(p.z.lanes, p.z.lanes);
-  const Float8 twice[] = {Float8(_mm256_shuffle_ps(xy_low, z_low, 0x44)),
-                          Float8(_mm256_shuffle_ps(xy_low, z_low, 0xEE)),
-                          Float8(_mm256_shuffle_ps(xy_high, z_high, 0x44)),
-                          Float8(_mm256_shuffle_ps(xy_high, z_high, 0xEE))};
-  for (int i = 0; i < 4; ++i) points[i] = twice[i].low(), points[4 + i] = twice[i].high();
+  const __m256 xy_low = _mm256_unpacklo_ps(rows.x.lanes, rows.y.lanes);
+  const __m256 xy_high = _mm256_unpackhi_ps(rows.x.lanes, rows.y.lanes);
+  const __m256 zw_low = _mm256_unpacklo_ps(rows.z.lanes, rows.w.lanes);
+  const __m256 zw_high = _mm256_unpackhi_ps(rows.z.lanes, rows.w.lanes);
+  const Float8 twice[] = {Float8(_mm256_shuffle_ps(xy_low, zw_low, 0x44)),
+                          Float8(_mm256_shuffle_ps(xy_low, zw_low, 0xEE)),
+                          Float8(_mm256_shuffle_ps(xy_high, zw_high, 0x44)),
+                          Float8(_mm256_shuffle_ps(xy_high, zw_high, 0xEE))};
+  for (int i = 0; i < 4; ++i) vectors[i] = twice[i].low(), vectors[4 + i] = twice[i].high();
 #else
   for (int half = 0; half < 2; ++half) {
     const auto part = [half](const Float8& v) { return half == 0 ? v.low() : v.high(); };
-    Float4 a = part(p.x), b = part(p.y), c = part(p.z), d = c;
+    Float4 a = part(rows.x), b = part(rows.y), c = part(rows.z), d = part(rows.w);
     transpose(a, b, c, d);
-    Float4* const to = half == 0 ? points : points + 4;
+    Float4* const to = half == 0 ? vectors : vectors + 4;
     to[0] = a, to[1] = b, to[2] = c, to[3] = d;
   }
 #endif
+}
+
+/// The same for points. Fourth lanes are meaningless.
+inline void points_of(const Points8& p, Float4 (&points)[8]) {
+  vectors_of({p.x, p.y, p.z, p.z}, points);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

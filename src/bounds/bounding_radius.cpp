@@ -30,7 +30,7 @@ float longest_shift(const NodeBounds& bounds, const Palette& palette) {
   const DualShift shift = dual_shift(bounds, 0, palette, Float4(0.0f));
   float squared = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const float below = -shift.low[axis], above = shift.high[axis];
+    const float below = shift.down_up.low()[axis], above = shift.down_up.high()[axis];
     const float most = (below > above ? below : above) + shift.margin;
     squared += most * most;
   }

@@ -3,7 +3,7 @@
 
 #include "geometry/triangle_distances.hpp"
 
-#include "base/double4.hpp"
+#include "base/vec3d4.hpp"
 #include "geometry/triangle_distance.hpp"
 
 #include <cfloat>
@@ -12,21 +12,6 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
-
-struct Vec3d4 {
-  Double4 x, y, z;
-};
-
-Vec3d4 operator+(const Vec3d4& a, const Vec3d4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3d4 operator-(const Vec3d4& a, const Vec3d4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3d4 operator*(const Double4& s, const Vec3d4& v) { return {s * v.x, s * v.y, s * v.z}; }
-
-Double4 dot(const Vec3d4& a, const Vec3d4& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Double4 squared_length(const Vec3d4& v) { return dot(v, v); }
-
-Vec3d4 cross(const Vec3d4& a, const Vec3d4& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// The quotient, clamped to [0, 1].
 Double4 share(const Double4& dividend, const Double4& divisor) {

@@ -49,18 +49,19 @@
 /// sign.
 ///
 /// n is bounded from below by 1 - sum_{j < k} w_j w_k s_jk^2, which equals it, and by the square of
-/// b.q_1 = w_1 + sum_k w_k D_1k >= 1 / K + (1 - 1 / K) min D_1k.
+/// b.q_1 = w_1 + sum_k w_k D_1k >= 1 / K + (1 - 1 / K) min D_1k. As 1 - D = s^2 / 2, min D_1k is
+/// taken from the largest s^2 where all signs are known.
 ///
 /// Rounding, with u and M as in node_bounds.hpp, and R = 1 / sqrt(n). The blended b and e have
 /// errors of K u and K u max |e_j|. These turn the rotation by 2 K u R, and move the translation by
 /// K u R (R + 1) max |t_j|, together at most 2 K R u M, because R max |t_j| + sum |v_b| <= M. The
 /// steps of the definition: with |r|, |a| <= |b|, the vector c has an error of 7.4 u |b| |v|, r x c
-/// 10.9 u n |v|, and the other part 10.4 u |b| |e|. With five roundings of n, the quotient and
-/// sums, v' has 32 u |v| + 16 u R max |t_j| + u M, at most 33 u M. Rounded matrices of the T_j,
-/// rotations that are not quite units, and dual parts that are not quite orthogonal to them change
-/// v' by at most 12 u M. Sums of weights that are not one change weights by 2^-22, and v' by 2^-21
-/// M = 8 u M. Rotations increase no error of a displaced rest position. In units of M, the margin
-/// is
+/// 10.9 u n |v|, and the other part 10.4 u |b| |e|. With five roundings of n, the quotient, the
+/// product and sums, v' has 34 u |v| + 17 u R max |t_j| + u M, at most 35 u M. Rounded matrices of
+/// the T_j, rotations that are not quite units, and dual parts that are not quite orthogonal to
+/// them change v' by at most 12 u M. Sums of weights that are not one change weights by 2^-22, and
+/// v' by 2^-21 M = 8 u M. Rotations increase no error of a displaced rest position. In units of M,
+/// the margin is
 ///     (2.1 K R + 60) u.
 /// The difference of two images has an error of 14 u M in each coordinate, and the product with u
 /// (5 u) one of 40 u M; 64 u M is added to them. Relative errors of products, and those of sums,

@@ -14,14 +14,19 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-/// The difference of a posed vertex from that of linear blend skinning is between low and high.
+/// The difference of a posed vertex from that of linear blend skinning is between -down and up, the
+/// low and the high half.
 struct DualShift {
-  Float4 low, high;
+  Float8 down_up;
   float margin;  ///< to add on every side
 };
 
 /// How much wider a box may get, on each side, before its shift is bounded more tightly.
 inline constexpr float kShiftTolerance = 0x1p-3f;
+
+/// Most pairs that are summed. Sums over more than 200 would round too much (dual_bounds.hpp); a
+/// node with so many is near the root, where a loose box costs less than a long sum.
+inline constexpr std::size_t kMostSummed = 100;
 
 /// Computes the shift of one node.
 class DualShiftOf {
@@ -35,12 +40,15 @@ class DualShiftOf {
         influences_(static_cast<float>(palette.dual_influences())) {}
 
   /// Bounds the shift by the boxes of the links, unless this exceeds `tolerance` on an axis.
-  /// Otherwise uses the pairs' own boxes where they are smaller and this matters.
+  /// Otherwise uses the pairs' own boxes where they are smaller and this matters. A node with very
+  /// many pairs, near the root, uses the hull of all links.
   DualShift run(const Float4& tolerance) {
-    find_signs();
+    has_signs_ = palette_.negates_none();
+    if (has_signs_ && !can_sum()) return finish(hull_of_links());
+    if (!has_signs_) find_signs();
     if (has_signs_) {
       const DualShift shift = finish(sum_links());
-      if (is_within(max(shift.high, Float4(0.0f) - shift.low), tolerance)) return shift;
+      if (is_within(max(shift.down_up.low(), shift.down_up.high()), tolerance)) return shift;
     }
     return finish(sum_pairs(tolerance));
   }
@@ -50,11 +58,12 @@ class DualShiftOf {
 
   /// The sum over all pairs, and the hull of zero and all pairs.
   struct Sums {
-    Float4 low = Float4(0.0f), high = Float4(0.0f);
-    Float4 size = Float4(0.0f);  // of the terms that may cancel
-    Float4 hull_low = Float4(0.0f), hull_high = Float4(0.0f);
-    Float4 swell = Float4(0.0f), hull_swell = Float4(0.0f);  // without the longest chord
+    Float8 down_up{0.0f};
+    Float8 size{0.0f};  // of the terms that may cancel
+    Float8 hull{0.0f};
+    Float4 swell{0.0f}, hull_swell{0.0f};  // without the longest chord
     float squared = 0, largest_squared = 0;
+    bool has_sums = true;  // otherwise only the hull
   };
 
   static bool is_within(const Float4& size, const Float4& limit) {
@@ -72,23 +81,33 @@ class DualShiftOf {
       least_cosine_ = cosine < least_cosine_ ? cosine : least_cosine_;
       if (pair.pivot == 0 && cosine > other) other = cosine;
     }
-    has_signs_ = palette_.negates_none() || least_cosine_ >= 0.5f + kCosineRounding || other < 0;
+    has_signs_ = least_cosine_ >= 0.5f + kCosineRounding || other < 0;
+  }
+
+  /// Precondition: all signs are known.
+  Sums hull_of_links() const {
+    const LinkHull& links = palette_.link_hull();
+    Sums sums;
+    sums.hull = load8(links.down_up), sums.hull_swell = load4(links.swell);
+    sums.largest_squared = links.down_up[7];
+    sums.has_sums = false;
+    return sums;
   }
 
   /// Precondition: all signs are known.
   Sums sum_links() const {
-    const Float4 zero(0.0f);
     Sums sums;
     for (const JointPair& pair : pairs_) {
       const LinkMotion& link = motion(pair);
-      const Float4 low = load4(link.low), high = load4(link.high), swell = load4(link.swell);
-      sums.low = sums.low + Float4(pair.most) * min(low, zero);
-      sums.high = sums.high + Float4(pair.most) * max(high, zero);
-      sums.hull_low = min(sums.hull_low, low), sums.hull_high = max(sums.hull_high, high);
+      const Float8 down_up = max(load8(link.down_up), Float8(0.0f));
+      const Float4 swell = load4(link.swell);
+      sums.down_up = sums.down_up + Float8(pair.most) * down_up;
+      sums.hull = max(sums.hull, down_up);
       sums.swell = sums.swell + Float4(pair.skew) * swell;
       sums.hull_swell = max(sums.hull_swell, swell);
     }
-    sums.squared = sums.high[3], sums.largest_squared = sums.hull_high[3];
+    sums.squared = sums.down_up.high()[3], sums.largest_squared = sums.hull.high()[3];
+    sums.has_sums = can_sum();
     return sums;
   }
 
@@ -97,17 +116,18 @@ class DualShiftOf {
     Float4 left = tolerance;
     for (const JointPair& pair : pairs_) {
       const LinkMotion& link = motion(pair);
-      const Float4 low = load4(link.low), high = load4(link.high);
-      const Float4 far = max(high, Float4(0.0f) - low);
+      const Float8 down_up = load8(link.down_up);
+      const Float4 far = max(down_up.low(), down_up.high());
       const bool is_signed = has_signs_ || pair.pivot > 0;
       const bool is_small = is_within(Float4(4 * pair.most) * far, left);
       if (is_signed && (is_small || is_like_link(pair))) {
-        add(pair, {low, high}, load4(link.swell), link.high[3], sums);
+        add(pair, down_up, load4(link.swell), link.down_up[7], sums);
         if (is_small) left = left - Float4(pair.most) * far;
       } else {
         add_own_box(pair, is_signed, sums);
       }
     }
+    sums.has_sums = can_sum();
     return sums;
   }
 
@@ -129,20 +149,18 @@ class DualShiftOf {
     const Float4 middle = cross(way, turn);
     const Float4 half = cross_magnitude(reach, abs(turn)) + slack;
     const Float4 far = abs(middle) + half;
-    const float squared = is_signed ? link.high[3] : 2 * (1 + link.swell[3]) + kCosineRounding;
+    const float squared = is_signed ? link.down_up[7] : 2 * (1 + link.swell[3]) + kCosineRounding;
     const Float4 swell = Float4(std::sqrt(squared)) * (abs(way) + reach + slack);
-    add(pair, is_signed ? Box4{middle - half, middle + half} : Box4{Float4(0.0f) - far, far}, swell,
-        squared, sums);
+    add(pair, is_signed ? Float8(half - middle, half + middle) : Float8(far, far), swell, squared,
+        sums);
   }
 
-  static void add(const JointPair& pair, const Box4& shift, const Float4& swell, float squared,
+  static void add(const JointPair& pair, const Float8& down_up, const Float4& swell, float squared,
                   Sums& sums) {
-    const Float4 least(pair.least), most(pair.most);
-    sums.low = sums.low + min(most * shift.low, least * shift.low);
-    sums.high = sums.high + max(most * shift.high, least * shift.high);
-    sums.size = sums.size + most * max(abs(shift.low), abs(shift.high));
-    sums.hull_low = min(sums.hull_low, shift.low);
-    sums.hull_high = max(sums.hull_high, shift.high);
+    const Float8 most = Float8(pair.most) * down_up;
+    sums.down_up = sums.down_up + max(most, Float8(pair.least) * down_up);
+    sums.size = sums.size + abs(most);
+    sums.hull = max(sums.hull, down_up);
     sums.swell = sums.swell + Float4(pair.skew) * swell;
     sums.hull_swell = max(sums.hull_swell, swell);
     sums.squared += pair.most * squared;
@@ -150,18 +168,16 @@ class DualShiftOf {
   }
 
   DualShift finish(const Sums& sums) const {
-    const float n = least_n(sums.squared, sums.largest_squared);
-    const Float4 stretch(kSecondOrder / n), products(dual_.product_sum), skews(dual_.skew_sum);
-    Float4 low = products * sums.hull_low, high = products * sums.hull_high;
-    Float4 swell = skews * sums.hull_swell;
-    if (is_summed()) {
-      const Float4 rounding = Float4(0x1p-14f) * sums.size;
-      low = max(low, sums.low - rounding);
-      high = min(high, sums.high + rounding);
+    const float longest = kSecondOrder / least_n(sums);
+    const Float8 stretch(longest);
+    Float8 down_up = Float8(dual_.product_sum) * sums.hull;
+    Float4 swell = Float4(dual_.skew_sum) * sums.hull_swell;
+    if (sums.has_sums) {
+      down_up = min(down_up, sums.down_up + Float8(0x1p-14f) * sums.size);
       swell = min(swell, sums.swell);
     }
-    swell = Float4(std::sqrt(sums.largest_squared)) * swell * stretch;
-    return {min(low, low * stretch) - swell, max(high, high * stretch) + swell, margin(n)};
+    swell = Float4(std::sqrt(sums.largest_squared)) * swell;
+    return {max(down_up, down_up * stretch) + Float8(swell, swell) * stretch, margin(longest)};
   }
 
   /// The rest box of a pair, displaced by active morph targets.
@@ -174,23 +190,24 @@ class DualShiftOf {
     return displacement_of(bounds_, body, palette_.morphs()).displaced(pair.centre, pair.half);
   }
 
-  /// Sums over more pairs round too much.
-  bool is_summed() const { return pairs_.size() <= 200; }
+  bool can_sum() const { return pairs_.size() <= kMostSummed; }
 
-  /// A lower bound of n of all vertices of the node. `squared` is the sum over all pairs.
-  float least_n(float squared, float largest_squared) const {
+  /// A lower bound of n of all vertices of the node.
+  float least_n(const Sums& sums) const {
     const float k = influences_;
-    const float cosine = least_cosine_ > kCosineRounding ? least_cosine_ - kCosineRounding : 0;
+    const float least = has_signs_ ? 1 - 0.5f * sums.largest_squared : least_cosine_;
+    const float cosine = least > kCosineRounding ? least - kCosineRounding : 0;
     const float along = 1 / k + (1 - 1 / k) * cosine;
-    const float hull = dual_.product_sum * largest_squared;
-    const float by_chords = 1 - (is_summed() && squared < hull ? squared : hull);
+    const float hull = dual_.product_sum * sums.largest_squared;
+    const float by_chords = 1 - (sums.has_sums && sums.squared < hull ? sums.squared : hull);
     const float n = along * along < by_chords ? by_chords : along * along;
     return n * (1 - 0x1p-10f) - 0x1p-14f;
   }
 
-  float margin(float n) const {
+  /// Uses 1 / n, which is at least R, because a root would take longer.
+  float margin(float longest_stretch) const {
     constexpr float kUnit = 0x1p-24f * (1 + 0x1p-6f);
-    return (2.1f * influences_ / std::sqrt(n) + 60) * kUnit * palette_.extent();
+    return (2.1f * influences_ * longest_stretch + 60) * kUnit * palette_.extent();
   }
 
   const NodeBounds& bounds_;
@@ -199,8 +216,8 @@ class DualShiftOf {
   std::span<const JointPair> pairs_;
   const Palette& palette_;
   float influences_;
-  float least_cosine_ = 1;  // of all |D|
   bool has_signs_ = false;  // no cosine is negative
+  float least_cosine_ = 1;  // of all |D|; set if not all signs are known
 };
 
 /// Not inlined, so that models with linear blend skinning pay nothing.
@@ -216,8 +233,9 @@ class DualShiftOf {
   const Float4 most_shift = Float4(tolerance) * (box.high - box.low);
   const DualShift shift = dual_shift(bounds, node, palette, most_shift);
   const Float4 margin(shift.margin), most((1 + 0x1p-12f) * palette.extent());
-  return intersect({box.low + shift.low - margin, box.high + shift.high + margin},
-                   {Float4(0.0f) - most, most});
+  return intersect(
+      {box.low - shift.down_up.low() - margin, box.high + shift.down_up.high() + margin},
+      {Float4(0.0f) - most, most});
 }
 
 }  // namespace PELT_INSTRUCTION_SET

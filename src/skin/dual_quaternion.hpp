@@ -19,16 +19,12 @@ struct alignas(32) DualQuaternion {
 /// limit holds for the squared length of a quaternion.
 inline constexpr double kRigidTolerance = 0x1p-10;
 
-/// Finds the rigid motion of a finite affine matrix of the joint with this number. Computed in
-/// double and rounded once.
-Problem to_dual_quaternion(const Matrix4& matrix, std::size_t joint, DualQuaternion& out);
+/// Describes why a finite affine matrix, of the joint with this number, is not rigid; empty if it
+/// is.
+Problem find_not_rigid(const float* matrix, std::size_t joint);
 
-/// Copies eight floats of the joint with this number, normalised: the rotation gets length one, and
-/// the part of the dual quaternion that belongs to no motion is removed. Computed in double and
-/// rounded once.
-Problem to_dual_quaternion(const float* floats, std::size_t joint, DualQuaternion& out);
-
-/// The matrix of the motion, computed in double and rounded once.
-Matrix4 to_matrix(const DualQuaternion& motion);
+/// Describes why eight floats, of the joint with this number, are no unit dual quaternion; empty if
+/// they are.
+Problem find_not_unit(const float* dual, std::size_t joint);
 
 }  // namespace pelt::detail

@@ -9,7 +9,7 @@
 ///     b   = 0 + s_1 w_1 Q_1 + s_2 w_2 Q_2 ...    entry by entry, summed from the left
 ///     n   = dot(r a, r a)                        where r a is the real part of b, and e i the dual
 ///     c   = r x v + a v
-///     v'  = v + 2 (r x c + ((a e - i r) + r x e)) / n
+///     v'  = v + (2 / n) (r x c + ((a e - i r) + r x e))
 ///
 /// Cross products are y z' - z y' and so on. Influence 1 has the largest weight of the vertex; of
 /// equal weights, the lowest joint. The others follow in ascending order of their joints. Sums
@@ -61,10 +61,10 @@ inline void move_point(const Dual<Number>& b, Number& x, Number& y, Number& z) {
   const Number tx = (b.w * b.ex - b.ew * b.x) + (b.y * b.ez - b.z * b.ey);
   const Number ty = (b.w * b.ey - b.ew * b.y) + (b.z * b.ex - b.x * b.ez);
   const Number tz = (b.w * b.ez - b.ew * b.z) + (b.x * b.ey - b.y * b.ex);
-  const Number two(2.0f);
-  x = x + two * ((b.y * cz - b.z * cy) + tx) / n;
-  y = y + two * ((b.z * cx - b.x * cz) + ty) / n;
-  z = z + two * ((b.x * cy - b.y * cx) + tz) / n;
+  const Number scale = Number(2.0f) / n;
+  x = x + scale * ((b.y * cz - b.z * cy) + tx);
+  y = y + scale * ((b.z * cx - b.x * cz) + ty);
+  z = z + scale * ((b.x * cy - b.y * cx) + tz);
 }
 
 inline Dual<float> dual_of(const DualQuaternion& q) {

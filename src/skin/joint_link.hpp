@@ -1,8 +1,10 @@
 #pragma once
 
+#include "base/instruction_set.hpp"
 #include "skin/dual_quaternion.hpp"
 
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace pelt::detail {
@@ -21,25 +23,36 @@ inline std::pair<std::uint16_t, std::uint16_t> joints_of(const JointLink& link) 
 /// The motion of the two joints of a link in a palette. Vectors are in the frame of the palette.
 /// model/dual_bounds.hpp has the symbols and the rounding.
 struct LinkMotion {
-  float low[4] = {},
-        high[4] = {};  ///< bounds of (p_j - p_k) x u_jk in the link's box; high[3]: s_jk^2
+  /// (p_j - p_k) x u_jk in the link's box is between minus the first half and the second half; the
+  /// last element is s_jk^2.
+  float down_up[8] = {};
   float swell[4] = {0, 0, 0, 1};  ///< bound of s_jk |p_j - p_k| in the link's box; swell[3]: |D_jk|
   float turn[4] = {0, 0, 0,
                    1};  ///< u_jk, with the sign that makes D_jk positive; turn[3]: D_jk, signed
 };
 
+/// The largest elements of the motions of all links, at least zero.
+struct LinkHull {
+  float down_up[8] = {};
+  float swell[4] = {};
+  float least_cosine = 1;  ///< of the signed D_jk
+};
+
 /// Rounding of a product of two unit quaternions.
 inline constexpr float kCosineRounding = 0x1p-20f;
 
-/// A joint of a palette.
-struct MovedJoint {
-  const DualQuaternion& dual;
-  const Matrix4& matrix;
+/// The joints of a palette, as dual quaternions and as matrices.
+struct MovedJoints {
+  const DualQuaternion* duals;
+  const Matrix4* matrices;
 };
 
-/// `growth` is how far morph targets displace a rest position, and `slack` the rounding of the
-/// differences of images.
-LinkMotion motion_of(const JointLink& link, const MovedJoint& first, const MovedJoint& second,
-                     float growth, float slack);
+inline namespace PELT_INSTRUCTION_SET {
 
+/// Computes the motion of each link. `growth` is how far morph targets displace a rest position,
+/// and `slack` the rounding of the differences of images.
+LinkHull move_links(std::span<const JointLink> links, const MovedJoints& joints, float growth,
+                    float slack, LinkMotion* out);
+
+}  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

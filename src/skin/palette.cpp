@@ -5,6 +5,7 @@
 #include "skin/dual_skin.hpp"
 #include "skin/matrix_forms.hpp"
 #include "skin/palette_scan.hpp"
+#include "skin/rigid_motions.hpp"
 #include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
@@ -64,7 +65,6 @@ Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const f
       links_(links.begin(), links.end()),
       aligned_with_(duals_.size()),
       link_motions_(links.size()),
-      negates_none_(!links.empty()),
       next_joints_(duals_.size()),
       next_duals_(duals_.size()) {
   PELT_ASSERT(extent_ <= kMaxExtent);
@@ -72,17 +72,20 @@ Palette::Palette(std::uint32_t joint_count, float rest_extent, std::span<const f
     if (aligned_with_[link.second] == 0) aligned_with_[link.second] = link.first;
 }
 
+/// The problem of the first joint that has one.
+template <typename ProblemOf>
+Problem Palette::first_problem(const ProblemOf& problem_of) const {
+  for (std::size_t joint = 0; joint < joints_.size(); ++joint)
+    if (Problem found = problem_of(joint); !found.empty()) return found;
+  return {};
+}
+
 Result<void> Palette::set(std::span<const float> floats) {
   if (floats.size() != joints_.size() * 16)
     return invalid_argument(
         problem("the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
                 floats.size(), 16 * joints_.size(), joints_.size()));
-  if (is_dual())
-    return set_by([&](std::size_t joint) {
-      Matrix4 matrix;
-      std::memcpy(matrix.m.data(), &floats[16 * joint], sizeof matrix);
-      return matrix;
-    });
+  if (is_dual()) return set_rigid(floats.data());
   const PaletteScan scan = scan_palette(floats.data(), joints_.size());
   if (!are_good(scan, reach_))
     if (Problem found = find_bad_joint(floats, reach_); !found.empty())
@@ -113,12 +116,10 @@ Result<void> Palette::set(std::span<const double> numbers) {
 /// palette unchanged, and the function must not allocate.
 template <typename MatrixOf>
 Result<void> Palette::set_by(const MatrixOf& matrix_of) {
-  if (is_dual())
-    return set_duals([&](std::size_t j, DualQuaternion& out) {
-      const Matrix4 matrix = matrix_of(j);
-      return scan_palette(matrix.m.data(), 1).is_affine ? to_dual_quaternion(matrix, j, out)
-                                                        : describe(matrix.m.data(), j);
-    });
+  if (is_dual()) {
+    for (std::size_t j = 0; j < joints_.size(); ++j) next_joints_[j] = matrix_of(j);
+    return set_rigid(floats_of(next_joints_).data());
+  }
   PaletteScan all;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const Matrix4 matrix = matrix_of(j);
@@ -140,32 +141,46 @@ Result<void> Palette::set_dual_quaternions(std::span<const float> floats) {
     return invalid_argument(
         problem("there are %zu floats, expected %zu: 8 for each of the model's %zu joints",
                 floats.size(), 8 * duals_.size(), duals_.size()));
-  return set_duals([&](std::size_t joint, DualQuaternion& out) {
-    return to_dual_quaternion(&floats[8 * joint], joint, out);
-  });
+  if (!normalise_duals(floats.data(), duals_.size(), next_duals_.data()))
+    return invalid_argument(
+        first_problem([&](std::size_t joint) { return find_not_unit(&floats[8 * joint], joint); }));
+  return take_next_duals();
 }
 
-/// Converts once, because this takes long, and swaps the results if all joints are valid. Of the
-/// two dual quaternions of a motion, takes the one closer to that of a linked joint; negates_none
-/// is then true for most poses.
-template <typename DualOf>
-Result<void> Palette::set_duals(const DualOf& dual_of) {
-  for (std::size_t j = 0; j < duals_.size(); ++j) {
-    if (Problem found = dual_of(j, next_duals_[j]); !found.empty())
-      return invalid_argument(std::move(found));
-    const DualQuaternion& linked = next_duals_[aligned_with_[j]];
-    if (dot(detail::dual_of(linked), detail::dual_of(next_duals_[j])) < 0) negate(next_duals_[j]);
-    next_joints_[j] = to_matrix(next_duals_[j]);
-  }
-  const std::span<const float> floats = floats_of(next_joints_);
-  const PaletteScan scan = scan_palette(floats.data(), next_joints_.size());
+/// `matrices` may be next_joints_.
+Result<void> Palette::set_rigid(const float* matrices) {
+  if (!scan_palette(matrices, duals_.size()).is_affine ||
+      !find_rigid_motions(matrices, duals_.size(), next_duals_.data()))
+    return invalid_argument(first_problem([&](std::size_t joint) {
+      const float* const matrix = matrices + 16 * joint;
+      return scan_palette(matrix, 1).is_affine ? find_not_rigid(matrix, joint)
+                                               : describe(matrix, joint);
+    }));
+  return take_next_duals();
+}
+
+/// Makes the next dual quaternions the current ones, unless they move vertices too far.
+Result<void> Palette::take_next_duals() {
+  align_next_duals();
+  const PaletteScan scan = {
+      .linear = 1,
+      .translation = find_matrices(next_duals_.data(), next_duals_.size(), next_joints_.data())};
   if (!are_good(scan, reach_))
-    if (Problem found = find_bad_joint(floats, reach_); !found.empty())
+    if (Problem found = find_bad_joint(floats_of(next_joints_), reach_); !found.empty())
       return invalid_argument(std::move(found));
   std::swap(duals_, next_duals_);
   std::swap(joints_, next_joints_);
   keep(scan);
   return {};
+}
+
+/// Of the two dual quaternions of a motion, takes the one closer to that of a linked joint;
+/// negates_none is then true for most poses.
+void Palette::align_next_duals() {
+  for (std::size_t j = 0; j < next_duals_.size(); ++j) {
+    const DualQuaternion& linked = next_duals_[aligned_with_[j]];
+    if (dot(dual_of(linked), dual_of(next_duals_[j])) < 0) negate(next_duals_[j]);
+  }
 }
 
 /// M of the scanned joints, rounded up. Not finite if an element is not finite or nearly overflows.
@@ -180,20 +195,11 @@ float Palette::extent_of(const PaletteScan& scan, double reach) const {
 void Palette::keep(const PaletteScan& scan) {
   scan_ = scan;
   extent_ = extent_of(scan_, reach_);
-  move_links();
-}
-
-void Palette::move_links() {
   const auto growth = std::nextafter(static_cast<float>(reach_ - double{rest_extent_}),
                                      std::numeric_limits<float>::infinity());
-  const float slack = link_slack();
-  const auto moved = [&](std::uint32_t joint) { return MovedJoint{duals_[joint], joints_[joint]}; };
-  negates_none_ = !links_.empty();
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    link_motions_[i] =
-        motion_of(links_[i], moved(links_[i].first), moved(links_[i].second), growth, slack);
-    negates_none_ &= !(link_motions_[i].turn[3] < 0);
-  }
+  if (!links_.empty())
+    link_hull_ = move_links(links_, {duals_.data(), joints_.data()}, growth, link_slack(),
+                            link_motions_.data());
 }
 
 /// Skips the check of the joints if the weights displace no farther than before. This is necessary
@@ -217,9 +223,10 @@ bool Palette::are_good(const PaletteScan& joints, double reach) const {
 
 /// Checks the joints one by one; joints that are valid alone are valid together.
 Problem Palette::find_bad_joint(std::span<const float> floats, double reach) const {
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    if (!are_good(scan_palette(&floats[16 * j], 1), reach)) return describe(&floats[16 * j], j);
-  return {};
+  return first_problem([&](std::size_t joint) {
+    const float* const matrix = &floats[16 * joint];
+    return are_good(scan_palette(matrix, 1), reach) ? Problem() : describe(matrix, joint);
+  });
 }
 
 }  // namespace pelt::detail

@@ -74,10 +74,11 @@ class Palette {
   }
 
   /// Whether no dual quaternion counts negated in any vertex; false if this is not known.
-  bool negates_none() const { return negates_none_; }
+  bool negates_none() const { return !links_.empty() && !(link_hull_.least_cosine < 0); }
 
   std::span<const JointLink> links() const { return links_; }
   std::span<const LinkMotion> link_motions() const { return link_motions_; }  ///< one per link
+  const LinkHull& link_hull() const { return link_hull_; }
 
   const MorphWeights& morphs() const { return morphs_; }
 
@@ -107,17 +108,20 @@ class Palette {
   }
 
  private:
+  template <typename ProblemOf>
+  Problem first_problem(const ProblemOf& problem_of) const;
+
   bool are_good(const PaletteScan& joints, double reach) const;
   Problem find_bad_joint(std::span<const float> floats, double reach) const;
   float extent_of(const PaletteScan& joints, double reach) const;
   void keep(const PaletteScan& scan);
-  void move_links();
 
   template <typename MatrixOf>
   Result<void> set_by(const MatrixOf& matrix_of);
 
-  template <typename DualOf>
-  Result<void> set_duals(const DualOf& dual_of);
+  Result<void> set_rigid(const float* matrices);
+  Result<void> take_next_duals();
+  void align_next_duals();
 
   std::vector<Matrix4> joints_;
   std::vector<DualQuaternion> duals_;  // empty with linear blend skinning
@@ -132,9 +136,9 @@ class Palette {
   std::vector<JointLink> links_;
   std::vector<std::uint16_t> aligned_with_;  // by joint: one before it whose sign it follows, or 0
   std::vector<LinkMotion> link_motions_;
-  bool negates_none_;
+  LinkHull link_hull_;
 
-  // Working memory of set_duals; empty with linear blend skinning.
+  // The next joints, until they are found valid; empty with linear blend skinning.
   std::vector<Matrix4> next_joints_;
   std::vector<DualQuaternion> next_duals_;
 };

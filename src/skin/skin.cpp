@@ -77,12 +77,12 @@ Vec3 dual_vertex(std::span<const detail::Influence> influences, const detail::Pa
       e[i] += sign * influence.weight * dual.dual[i];
     }
   }
-  const float n = dot(q, q);
+  const float scale = 2 / dot(q, q);
   float c[3], posed[3];
   for (int a = 0; a < 3; ++a) c[a] = cross(q, v, a) + q[3] * v[a];
   for (int a = 0; a < 3; ++a) {
     const float shift = (q[3] * e[a] - e[3] * q[a]) + cross(q, e, a);
-    posed[a] = v[a] + 2 * (cross(q, c, a) + shift) / n;
+    posed[a] = v[a] + scale * (cross(q, c, a) + shift);
   }
   return {posed[0], posed[1], posed[2]};
 }

@@ -3,7 +3,8 @@
 /// Moving bodies with dual quaternion skinning: limbs and soups, with any number of influences,
 /// with morph targets and with offsets.
 
-#include "skin/dual_quaternion.hpp"
+#include "skin/palette.hpp"
+#include "skin/rigid_motions.hpp"
 #include "support/dual_shapes.hpp"
 #include "support/random_offsets.hpp"
 
@@ -101,10 +102,11 @@ inline std::vector<Matrix4> turn_limb(Random& random, Turns turns, const Vec3& a
 /// The same motions as dual quaternions, of either sign.
 inline std::vector<float> signed_dual_quaternions(Random& random,
                                                   const std::vector<Matrix4>& palette) {
+  std::vector<detail::DualQuaternion> motions(palette.size());
+  EXPECT_TRUE(detail::find_rigid_motions(detail::floats_of(palette).data(), palette.size(),
+                                         motions.data()));
   std::vector<float> floats;
-  for (std::size_t j = 0; j < palette.size(); ++j) {
-    detail::DualQuaternion motion;
-    EXPECT_EQ(detail::to_dual_quaternion(palette[j], j, motion), "");
+  for (const detail::DualQuaternion& motion : motions) {
     const float sign = random.chance(0.5) ? -1.0f : 1.0f;
     for (const float f : motion.real) floats.push_back(sign * f);
     for (const float f : motion.dual) floats.push_back(sign * f);
