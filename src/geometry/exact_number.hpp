@@ -98,6 +98,9 @@ class Exact {
 
   int sign() const { return sum_.sign(); }
 
+  /// Returns the number with an error below one unit in the last place.
+  double rounded() const { return sum_.rounded(); }
+
  private:
   /// Terms do not overlap, so their number is at most the number of bits between the least and the
   /// largest number.
