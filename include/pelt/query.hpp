@@ -97,6 +97,7 @@ class TreeLocation {
 struct SelfScratchSize {
   std::size_t vertices = 0;   ///< each takes 24 bytes
   std::size_t box_bytes = 0;  ///< bytes for boxes of triangles, about 20 per triangle
+  std::size_t triangles = 0;  ///< each takes 8 bytes
 };
 
 /// Working memory for queries. A query enlarges the memory only if it needs more than any earlier
@@ -121,9 +122,10 @@ class PELT_API Scratch {
   ///   triangle that touches the solid counts.
   /// `ray_hits`: largest number of hits of `cast_all`.
   /// `self`: `SelfFilter::scratch_size` of the filter of `self_collide`. For several filters, call
-  ///   `reserve` once for each.
+  ///   `reserve` once for each. `self_intersection_volume` needs the size of any filter of the model.
   ///
-  /// Memory: 192 KB, plus 92 bytes per contact, 36 bytes per hit and what `self` states.
+  /// Memory: 192 KB, plus 92 bytes per contact, 36 bytes per hit and what `self` states. With `self`,
+  /// each contact takes another 48 bytes.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0, const SelfScratchSize& self = {});
 
   /// For internal use.

@@ -31,8 +31,6 @@ std::vector<std::uint32_t> find_components(const std::vector<Triangle>& triangle
   return firsts;
 }
 
-bool has_repeated_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 /// Whether each directed edge and its opposite occur exactly once. Ignores triangles with a
 /// repeated vertex: they have no area in any pose, and their edges cancel each other.
 bool edges_pair_up(const std::vector<Triangle>& triangles) {

@@ -55,6 +55,9 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, const SelfScra
   scratch_->turns_b.reserve(contacts);
   scratch_->positions.reserve(self.vertices);
   if (self.vertices > 0) scratch_->ring.reserve(2 * self.vertices + 1);
+  if (self.triangles > 0) scratch_->outline_turns.reserve(2 * contacts);
+  scratch_->turns_of.reserve(self.triangles);
+  scratch_->fronts.reserve(self.triangles);
   scratch_->boxes.reserve(self.box_bytes);
 }
 

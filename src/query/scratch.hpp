@@ -50,6 +50,15 @@ struct WindingTurns {
   std::array<std::int32_t, 2> to = {};
 };
 
+/// How much greater the winding number in front of a triangle is at later points of its outline
+/// than at point 0. Points 2 i and 2 i + 1 are the start and the end of edge i.
+struct OutlineTurns {
+  std::uint32_t place = 0;                 ///< of the triangle
+  std::array<std::int32_t, 5> after = {};  ///< at points 1 to 5
+
+  std::int32_t at(std::size_t point) const { return point == 0 ? 0 : after[point - 1]; }
+};
+
 /// Working memory of queries. Every user clears the parts that it uses.
 struct Scratch {
   Stack<SlotPair> slot_pairs;
@@ -66,6 +75,9 @@ struct Scratch {
   Arena boxes;                            // of clusters on a grid (self/grid_boxes.hpp)
   ContactLinks contact_links;
   Stack<WindingTurns> turns_a, turns_b;  // of triangles that cross another body
+  Stack<OutlineTurns> outline_turns;     // of triangles that cross their own body
+  Stack<std::uint32_t> turns_of;         // [T] one plus the index into outline_turns, or 0
+  Stack<std::int32_t> fronts;            // [T] winding numbers in front of triangles
 };
 
 }  // namespace pelt::detail

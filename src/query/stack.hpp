@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -44,6 +45,13 @@ class Stack : public StackMemory {
   [[gnu::always_inline]] void push(const T& item) {
     if (size_ == capacity_) grow(sizeof(T));
     begin()[size_++] = item;
+  }
+
+  /// Replaces all items by `size` copies of one.
+  void assign(std::size_t size, const T& item) {
+    reserve(size);
+    size_ = size;
+    std::fill_n(begin(), size, item);
   }
 
   /// Precondition: not empty.

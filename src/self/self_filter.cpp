@@ -151,7 +151,8 @@ LeftOutBy SelfFilter::left_out_by(std::uint32_t s, std::uint32_t t) const {
 
 SelfScratchSize SelfFilter::scratch_size() const {
   const detail::Tree& tree = filter_->tree();
-  return {tree.rest_positions.size(), detail::grid_box_bytes(tree.clusters.size())};
+  return {tree.rest_positions.size(), detail::grid_box_bytes(tree.clusters.size()),
+          tree.triangle_count()};
 }
 
 std::size_t SelfFilter::memory_bytes() const {

@@ -5,15 +5,6 @@
 namespace pelt::detail {
 namespace {
 
-using RoundedVector = Vector<Rounded>;
-
-/// The point that divides an edge.
-RoundedVector divided(const Vec3& from, const Vec3& to, const Rounded& share, const Vec3& origin) {
-  const RoundedVector start = RoundedVector(from) - RoundedVector(origin);
-  const RoundedVector edge = RoundedVector(to) - RoundedVector(from);
-  return {start.x + share * edge.x, start.y + share * edge.y, start.z + share * edge.z};
-}
-
 /// One end of the segment.
 class End {
  public:

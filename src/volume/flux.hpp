@@ -14,6 +14,19 @@
 
 namespace pelt::detail {
 
+using RoundedVector = Vector<Rounded>;
+
+inline RoundedVector relative_to(const Vec3& origin, const Vec3& point) {
+  return RoundedVector(point) - RoundedVector(origin);
+}
+
+/// Returns the point that divides an edge, relative to the origin.
+inline RoundedVector divided(const Vec3& from, const Vec3& to, const Rounded& share,
+                             const Vec3& origin) {
+  const RoundedVector start = relative_to(origin, from), edge = relative_to(from, to);
+  return {start.x + share * edge.x, start.y + share * edge.y, start.z + share * edge.z};
+}
+
 /// Returns the flux of 1 through a triangle. The error has the bound of OrientedPlane, with the
 /// same proof.
 inline Rounded flux_of(const TriangleCorners& t, const Vec3& origin) {

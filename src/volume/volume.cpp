@@ -8,7 +8,9 @@
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"
 #include "query/sort_contacts.hpp"
+#include "self/fans.hpp"
 #include "volume/crossing_flux.hpp"
+#include "volume/self_flux.hpp"
 #include "volume/winding_flux.hpp"
 
 #include <algorithm>
@@ -65,7 +67,7 @@ Vec3 origin_of(const PosedTree& a, const detail::Stack<Contact>& contacts, Query
   return detail::find_triangle(a, triangle, work).corners[0];
 }
 
-/// The flux of the product of both winding numbers. `a` and `b` may be the same pose.
+/// The flux of the product of both winding numbers.
 Rounded product_flux(Pose& a, Pose& b, Scratch& scratch, QueryStats& work) {
   const PosedTree posed_a = a.detail().posed_tree(), posed_b = b.detail().posed_tree();
   detail::Scratch& memory = scratch.detail();
@@ -103,9 +105,11 @@ QueryStats self_intersection_volume(Pose& pose, const Surface& surface, Scratch&
   detail::require(detail::is_surface_of(surface, pose),
                   "self_intersection_volume: the surface belongs to another model than the pose");
   detail::require(surface.is_closed(), "self_intersection_volume: the surface is not closed");
+  detail::require(pose.model().triangle_count() <= detail::kMaxFanTriangles,
+                  "self_intersection_volume: the model has more than 2^28 triangles");
   QueryStats work;
-  const Rounded whole = whole_flux(pose.detail().posed_tree(), work);
-  result = volume_of(Rounded(0.5) * (product_flux(pose, pose, scratch, work) - whole));
+  result =
+      volume_of(self_flux(pose.detail().posed_tree(), surface.detail(), scratch.detail(), work));
   return work;
 }
 

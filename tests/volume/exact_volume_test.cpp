@@ -22,9 +22,13 @@ using ExactVolume = PrismVolume<mpq_class>;
 class Body {
  public:
   Body(const std::vector<Triangle>& triangles, std::uint32_t vertex_count)
+      : Body(triangles, make_pinned(vertex_count, triangles)) {}
+
+  /// `pinned`: of `make_pinned`, perhaps with other rest positions.
+  Body(const std::vector<Triangle>& triangles, const Shape& pinned)
       : triangles_(triangles),
-        vertex_count_(vertex_count),
-        pose_(*build_model(make_pinned(vertex_count, triangles).view())),
+        vertex_count_(static_cast<std::uint32_t>(pinned.rest_positions.size())),
+        pose_(*build_model(pinned.view())),
         surface_(pose_.model()) {
     EXPECT_TRUE(surface_.is_closed());
   }
@@ -180,6 +184,45 @@ TEST(SelfIntersectionVolume, IsExactForOctahedra) {
 }
 
 TEST(SelfIntersectionVolume, IsExactForTori) { compare_self_intersections({torus(5, 4), 20}, 2); }
+
+/// Adds triangles whose vertices are numbered from `first` on.
+std::vector<Triangle> with(std::vector<Triangle> triangles, std::uint32_t first,
+                           const std::vector<Triangle>& added) {
+  for (const Triangle& t : added) triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return triangles;
+}
+
+TEST(SelfIntersectionVolume, IsExactForSeparateParts) {
+  compare_self_intersections({with(octahedron(), 6, tetrahedron()), 10}, 20);
+}
+
+TEST(SelfIntersectionVolume, IsExactForPartsThatShareAVertex) {
+  compare_self_intersections({with(tetrahedron(), 3, tetrahedron()), 7}, 30);
+}
+
+TEST(SelfIntersectionVolume, IsExactForTrianglesWithTheSameVertices) {
+  const std::vector<Triangle> both_sides = {{0, 1, 2}, {0, 2, 1}};
+  compare_self_intersections({with(both_sides, 2, octahedron()), 8}, 20);
+}
+
+TEST(SelfIntersectionVolume, IgnoresTrianglesWithRepeatedVertices) {
+  compare_self_intersections({with({{0, 0, 1}, {2, 2, 2}}, 0, octahedron()), 6}, 20);
+}
+
+/// Vertices with one rest position and different influences are one surface vertex to
+/// self-collision.
+TEST(SelfIntersectionVolume, IsExactForSplitSurfaceVertices) {
+  for (const std::uint32_t distinct : {1u, 3u}) {
+    Shape pinned = make_pinned(6, octahedron());
+    for (std::uint32_t v = distinct; v < 6; ++v)
+      pinned.rest_positions[v] = pinned.rest_positions[v % distinct];
+    compare_self_intersections({octahedron(), pinned}, 60);
+  }
+}
+
+TEST(SelfIntersectionVolume, IsExactOnEachInstructionSet) {
+  on_each_instruction_set([](InstructionSet) { compare_self_intersections({octahedron(), 6}, 5); });
+}
 
 TEST(Volume, IsExactForTori) {
   Random random(32);

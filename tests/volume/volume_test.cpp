@@ -1,5 +1,6 @@
 #include <pelt/volume.hpp>
 
+#include "closed_body.hpp"
 #include "pose/pose.hpp"
 #include "prism_volume.hpp"
 #include "support/allocation_count.hpp"
@@ -15,36 +16,6 @@ namespace pelt::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-struct Body {
-  explicit Body(const Shape& s) : shape(s), pose(*build_model(s.view())), surface(pose.model()) {}
-
-  void set(const std::vector<Matrix4>& palette) { ASSERT_TRUE(pose.set_palette(palette)); }
-  void move(const Vec3& by) { set({rotation_about({0, 0, 1}, 0, {0, 0, 0}, by)}); }
-
-  std::vector<Vec3> posed() const {
-    std::vector<Vec3> positions(shape.rest_positions.size());
-    posed_vertices(pose, positions);
-    return positions;
-  }
-
-  Shape shape;
-  Pose pose;
-  Surface surface;
-};
-
-Volume volume_of(Body& body) {
-  Volume result;
-  volume(body.pose, body.surface, result);
-  return result;
-}
-
-Volume intersection_of(Body& a, Body& b) {
-  Scratch scratch;
-  Volume result;
-  intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, result);
-  return result;
-}
 
 /// The volume of the intersection, computed in both orders.
 double common_volume(const Shape& shape_a, const Shape& shape_b) {
@@ -175,26 +146,6 @@ TEST(IntersectionVolume, AllocatesNothingIfAllIsReserved) {
   intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, found);
   EXPECT_EQ(allocation_count(), before);
   EXPECT_GT(found.value, 0);
-}
-
-TEST(SelfIntersectionVolume, IsThatOfOverlappingParts) {
-  const Shape cube = make_cube(1, {0, 0, 0}), part = make_cube(1, {1, 0, 0});
-  Scratch scratch;
-  const auto overlap = [&](const Shape& shape) {
-    Body body(shape);
-    Volume found;
-    self_intersection_volume(body.pose, body.surface, scratch, found);
-    EXPECT_LT(found.error, 1e-12);
-    return found.value;
-  };
-  EXPECT_NEAR(overlap(cube), 0, 1e-12);
-  EXPECT_NEAR(overlap(make_sphere(1, 3)), 0, 1e-12);
-  EXPECT_NEAR(overlap(together(cube, part)), 4, 1e-12);
-  const Shape second = make_cube(0.875f, {0, 0, 0}), third = make_cube(0.75f, {0, 0, 0});
-  const double least = 1.5 * 1.5 * 1.5, middle = 1.75 * 1.75 * 1.75;
-  EXPECT_NEAR(overlap(together(cube, second)), middle, 1e-12);
-  EXPECT_NEAR(overlap(together(cube, together(second, third))), middle + 2 * least, 1e-12)
-      << "three pairs";
 }
 
 /// The number of vertices in all open nodes.
