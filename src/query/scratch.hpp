@@ -46,7 +46,7 @@ struct ContactLinks {
 /// How much greater the winding number of another surface is at corners 1 and 2 of a triangle than
 /// at corner 0.
 struct WindingTurns {
-  std::uint32_t triangle = 0;
+  std::uint32_t place = 0;  ///< of the triangle
   std::array<std::int32_t, 2> to = {};
 };
 

@@ -3,26 +3,17 @@
 #include <algorithm>
 
 namespace pelt::detail {
-namespace {
-
-std::array<std::int32_t, 3> turns_of(std::uint32_t triangle, std::span<const WindingTurns> turns) {
-  std::array<std::int32_t, 3> sum = {};
-  const auto is_before = [](const WindingTurns& t, std::uint32_t id) { return t.triangle < id; };
-  for (auto turn = std::lower_bound(turns.begin(), turns.end(), triangle, is_before);
-       turn != turns.end() && turn->triangle == triangle; ++turn) {
-    sum[1] += turn->to[0];
-    sum[2] += turn->to[1];
-  }
-  return sum;
-}
-
-}  // namespace
-
 NodeWindings::NodeWindings(const Tree& tree, const Node& node, std::span<const WindingTurns> turns)
     : tree_(tree), places_(places_of(tree, node)) {
   std::fill_n(windings_.begin(), node.vertex_count, kUnknown);
-  for (std::uint32_t place = places_.first; place < places_.end; ++place)
-    turns_[place - places_.first] = turns_of(tree.triangle_ids[place], turns);
+  std::fill_n(turns_.begin(), places_.end - places_.first, std::array<std::int32_t, 3>());
+  const auto is_before = [](const WindingTurns& t, std::uint32_t place) { return t.place < place; };
+  for (auto turn = std::lower_bound(turns.begin(), turns.end(), places_.first, is_before);
+       turn != turns.end() && turn->place < places_.end; ++turn) {
+    std::array<std::int32_t, 3>& sum = turns_[turn->place - places_.first];
+    sum[1] += turn->to[0];
+    sum[2] += turn->to[1];
+  }
 }
 
 void NodeWindings::set(std::uint32_t place, std::int32_t winding) {

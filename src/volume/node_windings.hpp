@@ -14,7 +14,7 @@ namespace pelt::detail {
 
 class NodeWindings {
  public:
-  /// `turns`: ascending by triangle, for all triangles of the tree. Several turns of one triangle
+  /// `turns`: ascending by place, for all triangles of the tree. Several turns of one triangle
   /// add up.
   NodeWindings(const Tree& tree, const Node& node, std::span<const WindingTurns> turns);
 

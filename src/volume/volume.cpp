@@ -28,9 +28,14 @@ Volume volume_of(const Rounded& flux) {
   return {volume.value(), volume.error()};
 }
 
-void push(detail::Stack<WindingTurns>& all, WindingTurns turns, std::uint32_t triangle) {
-  turns.triangle = triangle;
+void push(detail::Stack<WindingTurns>& all, WindingTurns turns, std::uint32_t place) {
+  turns.place = place;
   if (turns.to != std::array<std::int32_t, 2>()) all.push(turns);
+}
+
+void sort(detail::Stack<WindingTurns>& turns) {
+  std::sort(turns.begin(), turns.end(),
+            [](const WindingTurns& x, const WindingTurns& y) { return x.place < y.place; });
 }
 
 /// Sums what pairs of triangles contribute, and collects the turns of both bodies.
@@ -48,11 +53,11 @@ Rounded crossings_flux(const PosedTree& a, const PosedTree& b, const Vec3& origi
     if (!crossing) continue;
     const detail::CrossingFlux found = flux_of(*crossing, corners_a, corners_b, origin);
     flux = flux + found.flux;
-    push(scratch.turns_a, found.turns_a, id_a);
-    push(scratch.turns_b, found.turns_b, id_b);
+    push(scratch.turns_a, found.turns_a, a.tree.triangle_places[id_a]);
+    push(scratch.turns_b, found.turns_b, b.tree.triangle_places[id_b]);
   }
-  std::sort(scratch.turns_b.begin(), scratch.turns_b.end(),
-            [](const WindingTurns& x, const WindingTurns& y) { return x.triangle < y.triangle; });
+  sort(scratch.turns_a);
+  sort(scratch.turns_b);
   return flux;
 }
 

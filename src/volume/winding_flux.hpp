@@ -21,7 +21,7 @@ struct OtherSurface {
   /// The infinitesimal motion of the vertices relative to the surface.
   const GenericDirection& motion;
 
-  /// By how much its winding number changes along triangles of the body, ascending by triangle.
+  /// By how much its winding number changes along triangles of the body, ascending by place.
   std::span<const WindingTurns> turns;
 };
 
