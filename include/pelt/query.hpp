@@ -122,10 +122,11 @@ class PELT_API Scratch {
   ///   triangle that touches the solid counts.
   /// `ray_hits`: largest number of hits of `cast_all`.
   /// `self`: `SelfFilter::scratch_size` of the filter of `self_collide`. For several filters, call
-  ///   `reserve` once for each. `self_intersection_volume` needs the size of any filter of the model.
+  ///   `reserve` once for each. `self_intersection_volume` needs the size of any filter of the
+  ///   model.
   ///
-  /// Memory: 192 KB, plus 92 bytes per contact, 36 bytes per hit and what `self` states. With `self`,
-  /// each contact takes another 48 bytes.
+  /// Memory: 192 KB, plus 92 bytes per contact, 36 bytes per hit and what `self` states. With
+  /// `self`, each contact takes another 48 bytes.
   void reserve(std::size_t contacts, std::size_t ray_hits = 0, const SelfScratchSize& self = {});
 
   /// For internal use.

@@ -21,6 +21,8 @@ struct SpreadingStep {
   bool is_first() const { return triangle == from; }
 };
 
+static_assert(sizeof(SpreadingStep) == 12, "stated in pelt/volume.hpp, with those of the filter");
+
 struct SurfaceLinks {
   /// Precondition: the surface is closed.
   explicit SurfaceLinks(const Surface& surface);

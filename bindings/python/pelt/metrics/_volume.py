@@ -66,7 +66,7 @@ def self_intersection_volume(model: Model, poses: PosesLike, *, threads: Optiona
 
     Definition: the integral of w (w - 1) / 2, where w is the winding number: a region that the surface
     encloses twice counts once. A region that is inside out, with w = -1, counts once, too. Rounding
-    never makes the value negative.
+    never makes the value negative. The cost is little more than that of `self_collide`.
     Source: the exact counterpart of the voxels of humansphereproxy with an in-count of 2 or more, see
     `voxel_self_intersection_volume`, which counts a region that the surface encloses twice as 2.
 
