@@ -60,10 +60,11 @@ PELT_API QueryStats volume(Pose& pose, const Surface& surface, Volume& result);
 /// triangles, and one ray for each connected part of the surface. Opens all nodes. Pairs that only
 /// touch cost several times as much as others.
 ///
-/// The first query with a surface also takes the time of `build_self_filter`, and allocates 44 to
-/// 57 bytes per triangle of a character, which copies of the surface share. For `Scratch::reserve`,
-/// contacts are those of `self_collide`. Pairs of triangles also count as contacts if they have
-/// corners in one position that are one surface vertex, but have different influences.
+/// The first query with a surface also takes 1.5 times as long as `build_self_filter`, and
+/// allocates 44 to 57 bytes per triangle of a character, which copies of the surface share. For
+/// `Scratch::reserve`, contacts are those of `self_collide`. Pairs of triangles also count as
+/// contacts if they have corners in one position that are one surface vertex, but have different
+/// influences.
 ///
 /// Source: winding numbers spread over the surface from one triangle of each connected part, as in
 /// Zhou et al., "Mesh arrangements for solid geometry" (2016), but the surface is never cut. The
