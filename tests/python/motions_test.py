@@ -42,6 +42,22 @@ class Layouts(Files):
         self.assertEqual(motion.poses[0].tolist(),
                          [0] * 3 + [1] * 63 + [2] * 3 + [3] * 6 + [4] * 90)
 
+    def test_inter_x(self):
+        shapes = {"root_orient": (4, 3), "pose_body": (4, 21, 3), "pose_lhand": (4, 15, 3),
+                  "pose_rhand": (4, 15, 3)}
+        keys = {name: np.full(shape, number) for number, (name, shape) in enumerate(shapes.items())}
+        keys.update(trans=np.zeros((4, 3)), gender=np.array("female"), betas=np.zeros((1, 10)))
+        motion = motions.load(generated_body.save_motion(self.path, keys), fps=120)
+        self.assertEqual((motion.fps, motion.gender, motion.betas.shape), (120, "female", (10,)))
+        self.assertEqual(motion.poses[2].tolist(), [0] * 3 + [1] * 63 + [0] * 9 + [2] * 45 + [3] * 45)
+        self.refuses("mocap_framerate: missing", self.saved, keys)
+        self.refuses(r"pose_rhand: expected the shape \[4, 15, 3\], found \[3, 15, 3\]", self.saved, keys,
+                     pose_rhand=np.zeros((3, 15, 3)))
+
+    def test_rate_of_the_file_comes_first(self):
+        path = generated_body.save_motion(self.path)
+        self.assertEqual(motions.load(path, fps=30).fps, 120)
+
     def test_gender_in_other_types(self):
         self.assertEqual(self.saved(gender=np.array(b"female")).gender, "female")
         self.assertEqual(self.saved(gender=None).gender, "unknown")

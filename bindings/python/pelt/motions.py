@@ -1,4 +1,4 @@
-"""Motions of AMASS, for the body models of `pelt.body_models`.
+"""Motions of AMASS and Inter-X, for the body models of `pelt.body_models`.
 
     from pelt import motions
 
@@ -9,7 +9,7 @@
 Positions are in metres, and z is up. Rotations are rotation vectors in radians.
 """
 
-from typing import Dict
+from typing import Dict, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -75,12 +75,16 @@ class Motion:
                 f"{self.poses.shape[1] // 3} joints, {self.gender}>")
 
 
-def load(path: Path) -> Motion:
-    """Returns the motion of an `.npz` file of AMASS, in either of its two layouts.
+def load(path: Path, *, fps: Optional[float] = None) -> Motion:
+    """Returns the motion of an `.npz` file of AMASS or Inter-X.
 
-    SMPL-H:  poses [F, 156], trans [F, 3], betas [B], mocap_framerate, gender
-    SMPL-X:  poses [F, 165], or root_orient [F, 3], pose_body [F, 63], pose_jaw [F, 3], pose_eye [F, 6],
-             pose_hand [F, 90]; trans [F, 3], betas [B], mocap_frame_rate, gender
+    SMPL-H:   poses [F, 156], trans [F, 3], betas [B], mocap_framerate, gender
+    SMPL-X:   poses [F, 165], or root_orient [F, 3], pose_body [F, 63], pose_jaw [F, 3], pose_eye [F, 6],
+              pose_hand [F, 90]; trans [F, 3], betas [B], mocap_frame_rate, gender
+    Inter-X:  root_orient [F, 3], pose_body [F, 21, 3], pose_lhand [F, 15, 3], pose_rhand [F, 15, 3],
+              trans [F, 3], betas [1, B], gender; jaw and eyes do not rotate
+
+    fps:      frames per second if the file does not state them. Those of Inter-X do not: they have 120.
 
     `poses` of another number of joints are read, too. Other keys, such as `dmpls`, are ignored; nothing
     in the file is unpickled.
@@ -94,7 +98,7 @@ def load(path: Path) -> Motion:
         translations = npz.floats("trans", ("F", 3), sizes)
         betas = _betas(npz) if "betas" in npz.keys else np.zeros(0)
         gender = npz.text("gender") or "unknown"
-        return Motion(poses, translations, betas, _frames_per_second(npz), gender.lower())
+        return Motion(poses, translations, betas, _frames_per_second(npz, fps), gender.lower())
 
 
 def _poses(npz: Npz, sizes: Dict[str, int]) -> Doubles:
@@ -112,11 +116,23 @@ def _poses(npz: Npz, sizes: Dict[str, int]) -> Doubles:
 
 def _poses_of_parts(npz: Npz, sizes: Dict[str, int]) -> Doubles:
     """Returns the parts in the order of the joints of SMPL-X: the jaw and eyes before the hands."""
-    parts = [npz.floats("root_orient", ("F", 3), sizes), npz.floats("pose_body", ("F", 63), sizes)]
+    parts = [npz.floats("root_orient", ("F", 3), sizes), _turns(npz, "pose_body", 21, sizes)]
     if "pose_jaw" in npz.keys:
         parts += [npz.floats("pose_jaw", ("F", 3), sizes), npz.floats("pose_eye", ("F", 6), sizes)]
-    parts.append(npz.floats("pose_hand", ("F", 90), sizes))
+    elif "pose_lhand" in npz.keys:
+        parts.append(np.zeros((sizes["F"], 9)))
+    if "pose_lhand" in npz.keys:
+        parts += [_turns(npz, name, 15, sizes) for name in ("pose_lhand", "pose_rhand")]
+    else:
+        parts.append(npz.floats("pose_hand", ("F", 90), sizes))
     return np.concatenate(parts, axis=1)
+
+
+def _turns(npz: Npz, key: str, joints: int, sizes: Dict[str, int]) -> Doubles:
+    """Returns the rotation vectors of some joints [F, 3 joints]."""
+    if key in npz.keys and npz.axes(key) == 3:
+        return npz.floats(key, ("F", joints, 3), sizes).reshape(-1, 3 * joints)
+    return npz.floats(key, ("F", 3 * joints), sizes)
 
 
 def _betas(npz: Npz) -> Doubles:
@@ -126,10 +142,13 @@ def _betas(npz: Npz) -> Doubles:
     return npz.floats("betas", (1, "B")).reshape(-1)
 
 
-def _frames_per_second(npz: Npz) -> float:
+def _frames_per_second(npz: Npz, otherwise: Optional[float]) -> float:
     spellings = [key for key in ("mocap_framerate", "mocap_frame_rate") if key in npz.keys]
+    if not spellings and otherwise is not None:
+        return otherwise
     if not spellings:
-        raise npz.error("mocap_framerate", "missing, and no mocap_frame_rate")
+        raise npz.error("mocap_framerate", "missing, and no mocap_frame_rate: state the rate by `--fps`, "
+                                           "or fps=")
     key = spellings[0]
     # A scalar in AMASS; some copies have an array of one element.
     rates = npz.floats(key, ()) if npz.axes(key) == 0 else npz.floats(key, (1,))
