@@ -24,6 +24,9 @@ class Blocks(Case):
         generated_body.save_body(self.root / "SMPLH_MALE.npz")
         for name in ("walk_poses.npz", "run_poses.npz", "sit_poses.npz"):
             generated_body.save_motion(self.root / "AMASS" / name)
+        generated_body.save_body(self.root / "SMPLX_NEUTRAL.npz")
+        for name in ("P1.npz", "P2.npz"):
+            generated_body.save_motion(self.root / "Inter-X" / "sequence" / name)
         (self.root / "dask_metrics.py").write_text((EXAMPLES / "dask_metrics.py").read_text())
         self.text = (SOURCE / "docs" / "datasets.md").read_text()
 
@@ -48,6 +51,7 @@ class Blocks(Case):
         table = (self.root / "table.csv").read_text().splitlines()
         self.assertEqual(sorted((self.root / "all.csv").read_text().splitlines()), sorted(table))
         self.assertEqual(len(table), 4)
+        self.assertEqual(len((self.root / "pairs.csv").read_text().splitlines()), 2)
 
 
 if __name__ == "__main__":

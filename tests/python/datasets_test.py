@@ -89,7 +89,7 @@ class Clips(Folder):
     def test_chunks_do_not_change_the_row(self):
         measure = datasets.Measurement(self.data, self.body, ["colliding", "contact"])
         whole = measure("a/walk.npz")
-        with unittest.mock.patch("pelt.datasets._AT_A_TIME", 4):
+        with unittest.mock.patch("pelt.datasets._measurement.AT_A_TIME", 4):
             self.assertEqual(measure("a/walk.npz"), whole)
 
     def test_every(self):
@@ -101,6 +101,25 @@ class Clips(Folder):
         open_body = generated_body.save_body(self.root / "open.npz", f=faces)
         row = datasets.Measurement(self.data, open_body, ["volume"])("a/walk.npz")
         self.assertEqual((row["volume_mean"], row["volume_error"]), ("", ""))
+
+    def test_close_holes(self):
+        faces = generated_body.arrays()["f"][1:]  # the hole is a triangle
+        open_body = generated_body.save_body(self.root / "open.npz", f=faces)
+        row = datasets.Measurement(self.data, open_body, ["volume"], close_holes=True)("a/walk.npz")
+        whole = datasets.Measurement(self.data, self.body, ["volume"])("a/walk.npz")
+        self.assertEqual((row["options"], whole["options"]), ("close-holes", ""))
+        self.assertLess(0, whole["volume_max"])
+        self.assertAlmostEqual(row["volume_max"], whole["volume_max"], delta=1e-6)
+
+    def test_fps(self):
+        generated_body.save_motion(self.data / "still.npz", mocap_framerate=None)
+        self.refuses("still.npz: mocap_framerate: missing.*--fps",
+                     datasets.Measurement(self.data, self.body), "still.npz")
+        measure = datasets.Measurement(self.data, self.body, ["colliding"], fps=30)
+        rows = [measure(clip) for clip in ("still.npz", "a/walk.npz")]
+        self.assertEqual([row["fps"] for row in rows], [30, 120])
+        self.assertEqual(rows[0]["seconds"], 6 / 30)
+        self.refuses("fps: expected a positive", datasets.Measurement, self.data, self.body, fps=0)
 
     def test_genders(self):
         self.refuses("gender: no body model for 'male'",
@@ -230,7 +249,7 @@ class Command(Folder):
     def test_help(self):
         self.assertIn("metrics", run_command("--help").stdout)
         text = run_command("metrics", "--help").stdout
-        for word in (*datasets.METRICS, "--shard", "example:", "exit status"):
+        for word in (*datasets.METRICS, "--shard", "examples:", "exit status"):
             self.assertIn(word, text)
 
 

@@ -53,8 +53,8 @@ Inside and outside of closed surfaces:
 Datasets, in modules of their own:
     pelt.metrics         metrics of papers, by their definitions
     pelt.body_models     body models of the SMPL family
-    pelt.motions         motions of AMASS
-    pelt.datasets        tables of many clips, and `python -m pelt metrics`
+    pelt.motions         motions of AMASS and Inter-X
+    pelt.datasets        tables of many clips or pairs of clips, and `python -m pelt metrics`
 
 Every function takes `threads` (default: all processors; the answer is the same for any number) and
 `progress`: True draws a progress bar, None (the default) draws one if the call takes more than two

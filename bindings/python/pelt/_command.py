@@ -5,10 +5,14 @@ import csv
 import os
 import sys
 import time
-from typing import Dict, List, Optional, TextIO, Tuple
+from typing import Dict, List, Mapping, Optional, Sequence, TextIO, Tuple, Type, Union
 
 from pelt._pelt import Error, __version__
-from pelt.datasets import METRICS, Measurement, Table, find_clips
+from pelt.datasets import (METRICS, PAIR_METRICS, Measurement, Pair, PairMeasurement, Table,
+                           find_clips, find_pairs, read_pairs)
+
+Item = Union[str, Pair]
+"""What a row is about: a clip, or a pair of clips."""
 
 _SECONDS_BETWEEN_LINES = 60
 
@@ -21,29 +25,32 @@ commands:
 the functions of the package.
 """
 
-_METRICS_HELP = """Measures how the bodies in motion files touch themselves, and writes a table with one
-row for each clip.
+_METRICS_HELP = """Measures how the bodies in motion files touch themselves, or how two bodies touch each
+other, and writes a table with one row for each clip or pair of clips.
 
-example:
+examples:
   python -m pelt metrics AMASS --body-model male=SMPLH_MALE.npz \\
       --body-model female=SMPLH_FEMALE.npz --out table.csv
+  python -m pelt metrics Inter-X --pair-words P1,P2 --fps 120 --close-holes \\
+      --body-model SMPLX_NEUTRAL.npz --out pairs.csv
 
-The folder contains motions of AMASS (.npz), in subfolders of any depth. Body models are .npz files of the
-SMPL family; those of SMPL-H fit motions with 52 joints, those of SMPL-X motions with 55.
+The folder contains motions of AMASS or Inter-X (.npz), in subfolders of any depth. Body models are .npz
+files of the SMPL family; those of SMPL-H fit motions with 52 joints, those of SMPL-X motions with 55.
 
 A run that is stopped goes on where it ended if it is started again: rows that are in the table are not
 measured again. Files that cannot be read are listed at the end, with the reason, and are tried again by
 the next run.
 
-metrics:
 """
 
 _AFTER_HELP = """
-columns: clip, body_model, options, every, frames, seconds, fps, gender; for each metric its mean over the frames,
-its max, and the frame of the max; volume_error, a bound of the error of each volume. `volume` takes
-about ten times as long as the other metrics together.
+columns: clip, body_model, options, every, frames, seconds, fps, gender; for each metric its mean over the
+frames, its max, and the frame of the max; volume_error, a bound of the error of each volume. For a clip,
+`volume` takes about ten times as long as the other metrics together. Tables of pairs have the columns
+clip_a, clip_b, body_model_a, body_model_b, gender_a and gender_b, and for each metric also the percentage
+of frames in which it is not 0.
 
-exit status: 0 if all clips are in the table, 1 if some could not be measured, 2 for invalid arguments.
+exit status: 0 if all rows are in the table, 1 if some could not be measured, 2 for invalid arguments.
 """
 
 
@@ -68,17 +75,24 @@ def main(arguments: Optional[List[str]] = None) -> int:
 
 
 def _add_metrics(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    names = "\n".join(f"  {name:10} {what}" for name, what in METRICS.items())
+    names = _list_of("metrics of a clip", METRICS) + _list_of("\nmetrics of a pair", PAIR_METRICS)
     parser = commands.add_parser("metrics", description=_METRICS_HELP + names, epilog=_AFTER_HELP,
                                  formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("folder", metavar="DIR", help="folder with motions")
     add("--body-model", metavar="[GENDER=]FILE", action="append", required=True,
         help="body model of all subjects, or of those of a gender; may be given several times")
+    pairs = parser.add_mutually_exclusive_group()
+    pairs.add_argument("--pairs", metavar="FILE",
+                       help="measure the pairs of clips that a CSV file lists, in the columns clip_a and "
+                            "clip_b or in its only two columns, relative to the folder")
+    pairs.add_argument("--pair-words", metavar="A,B", type=_words,
+                       help="measure the pairs of clips whose paths differ in one word: P1,P2 for "
+                            "a/P1.npz and a/P2.npz")
     add("--out", metavar="FILE", required=True, help="the table, a CSV file")
     add("--failed", metavar="FILE",
-        help="writes the clips that this run could not measure, and the reasons, to a CSV file")
-    add("--metrics", metavar="NAMES", default=",".join(METRICS),
+        help="writes the clips or pairs that this run could not measure, and the reasons, to a CSV file")
+    add("--metrics", metavar="NAMES", default=None,
         help="metrics to measure, with commas between them (default: all)")
     add("--every", metavar="N", type=int, default=1, help="measure every Nth frame (default: 1)")
     add("--body-only", action="store_true",
@@ -86,10 +100,26 @@ def _add_metrics(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     add("--betas", metavar="N", type=int, default=None,
         help="use only the first N shape parameters of each motion, for body models that have fewer "
              "than the motions; 0 is the mean shape")
+    add("--close-holes", action="store_true",
+        help="close the holes of open bodies such as SMPL-X by fans; without, metrics that need an inside "
+             "are empty for them")
+    add("--fps", metavar="N", type=float, default=None,
+        help="frames per second of motions whose files do not state it")
     add("--shard", metavar="I/N", type=_shard, default=(1, 1),
         help="measure only the I-th of N parts of the clips, for N processes or machines, each with "
              "its own table")
     add("--threads", metavar="N", type=int, default=None, help="threads (default: all processors)")
+
+
+def _list_of(title: str, names: Mapping[str, str]) -> str:
+    return f"{title}:\n" + "".join(f"  {name:12} {what}\n" for name, what in names.items())
+
+
+def _words(text: str) -> Tuple[str, str]:
+    first, comma, second = text.partition(",")
+    if not (comma and first and second) or first == second or "," in second:
+        raise argparse.ArgumentTypeError(f"expected two words, such as P1,P2, found {text!r}")
+    return first, second
 
 
 def _shard(text: str) -> Tuple[int, int]:
@@ -113,33 +143,59 @@ def _body_models(given: List[str]) -> Dict[str, str]:
     return paths
 
 
+def _items(options: argparse.Namespace) -> Sequence[Item]:
+    """Returns the clips or the pairs of clips of the folder."""
+    if options.pairs is not None:
+        return read_pairs(options.pairs)
+    if options.pair_words is not None:
+        return find_pairs(options.folder, *options.pair_words)
+    return find_clips(options.folder)
+
+
+def _measurement(options: argparse.Namespace) -> Union[Measurement, PairMeasurement]:
+    is_of_pairs = options.pairs is not None or options.pair_words is not None
+    kind: Union[Type[Measurement], Type[PairMeasurement]] = (
+        PairMeasurement if is_of_pairs else Measurement)
+    names = list(PAIR_METRICS if is_of_pairs else METRICS)
+    if options.metrics is not None:
+        names = [name for name in options.metrics.split(",") if name]
+    return kind(options.folder, _body_models(options.body_model), names, every=options.every,
+                body_only=options.body_only, betas=options.betas, close_holes=options.close_holes,
+                fps=options.fps, threads=options.threads)
+
+
 def _measure_folder(options: argparse.Namespace) -> int:
+    if not os.path.isdir(options.folder):
+        raise Error(f"{options.folder}: not a folder")
     part, count = options.shard
-    clips = find_clips(options.folder)[part - 1::count]
-    measure = Measurement(options.folder, _body_models(options.body_model),
-                          [name for name in options.metrics.split(",") if name],
-                          every=options.every, body_only=options.body_only, betas=options.betas,
-                          threads=options.threads)
-    with Table(options.out, measure) as table, _Failures(options.failed) as failed:
+    items = _items(options)[part - 1::count]
+    measure = _measurement(options)
+    noun = "clips" if isinstance(measure, Measurement) else "pairs"
+    with Table(options.out, measure) as table, _Failures(options.failed, noun) as failed:
         before = len(table.done)
-        progress = _Progress(len(clips))
-        for number, clip in enumerate(clips):
-            progress.show(number, len(failed), clip)
-            if clip in table.done:
+        progress = _Progress(len(items), noun)
+        for number, item in enumerate(items):
+            progress.show(number, len(failed), _name_of(item))
+            if item in table.done:
                 continue
             try:
-                table.append(measure(clip))
+                table.append(measure(item))  # type: ignore[arg-type]
             except (Error, OSError, MemoryError) as error:
-                failed.append(clip, f"{error}" if isinstance(error, Error) else f"{clip}: {error!r}")
-        progress.show(len(clips), len(failed), "")
-        _print_summary(options.out, len(table.done) - before, before, failed.reasons)
+                failed.append(item, f"{error}" if isinstance(error, Error)
+                              else f"{_name_of(item)}: {error!r}")
+        progress.show(len(items), len(failed), "")
+        _print_summary(options.out, noun, len(table.done) - before, before, failed.reasons)
     return 1 if failed.reasons else 0
 
 
-class _Failures:
-    """Clips that could not be measured. Each row of the file is written at once."""
+def _name_of(item: Item) -> str:
+    return item if isinstance(item, str) else " and ".join(item)
 
-    def __init__(self, path: Optional[str]) -> None:
+
+class _Failures:
+    """Clips or pairs that could not be measured. Each row of the file is written at once."""
+
+    def __init__(self, path: Optional[str], noun: str) -> None:
         self.reasons: List[str] = []
         self._file: Optional[TextIO] = None
         if path is None:
@@ -148,11 +204,11 @@ class _Failures:
             self._file = open(path, "w", newline="", encoding="utf-8", errors="surrogateescape")
         except OSError as error:
             raise Error(f"{path}: {error.strerror}") from error
-        self._write("clip", "reason")
+        self._write(*(("clip",) if noun == "clips" else ("clip_a", "clip_b")), "reason")
 
-    def append(self, clip: str, reason: str) -> None:
+    def append(self, item: Item, reason: str) -> None:
         self.reasons.append(reason)
-        self._write(clip, reason)
+        self._write(*((item,) if isinstance(item, str) else item), reason)
 
     def _write(self, *values: str) -> None:
         if self._file is not None:
@@ -173,12 +229,13 @@ class _Failures:
 class _Progress:
     """A line that is overwritten on a terminal; in the log of a cluster, one more line each minute."""
 
-    def __init__(self, count: int) -> None:
+    def __init__(self, count: int, noun: str) -> None:
         self._count = count
+        self._noun = noun
         self._last = time.monotonic()
 
-    def show(self, done: int, failed: int, clip: str) -> None:
-        text = f"{done} of {self._count} clips, {failed} failed  {clip}"
+    def show(self, done: int, failed: int, name: str) -> None:
+        text = f"{done} of {self._count} {self._noun}, {failed} failed  {name}"
         if sys.stderr.isatty():
             end = "" if done < self._count else "\n"
             print(f"\r{text[:99]:99}", end=end, file=sys.stderr, flush=True)
@@ -187,8 +244,8 @@ class _Progress:
             print(text, file=sys.stderr, flush=True)
 
 
-def _print_summary(path: str, measured: int, before: int, failed: List[str]) -> None:
+def _print_summary(path: str, noun: str, measured: int, before: int, failed: List[str]) -> None:
     earlier = f", {before} were there before" if before else ""
-    print(f"{path}: {measured} clips measured{earlier}, {len(failed)} failed")
+    print(f"{path}: {measured} {noun} measured{earlier}, {len(failed)} failed")
     for reason in failed:
         print(f"failed: {reason}", file=sys.stderr)

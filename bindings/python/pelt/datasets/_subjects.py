@@ -1,0 +1,156 @@
+"""Bodies and motions of a folder: what measurements of clips and of pairs share."""
+
+import functools
+import os
+from typing import Dict, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from pelt import body_models, metrics, motions
+from pelt._model import Model
+from pelt._npz import Path
+from pelt._pelt import Error
+from pelt._poses import Vertices
+from pelt._self_collide import SelfFilter
+
+Columns = Dict[str, npt.NDArray[np.float64]]
+"""Values of metrics in each frame [F]; NaN if they are not defined."""
+
+Row = Dict[str, Union[str, int, float]]
+"""Values by the names of their columns."""
+
+AT_A_TIME = 128
+"""Frames that are in memory at a time."""
+
+
+class Subject(body_models.Subject):
+    """A subject, and what its metrics need."""
+
+    def __init__(self, subject: body_models.Subject) -> None:
+        self.__dict__.update(subject.__dict__)
+
+    @functools.cached_property
+    def filter(self) -> SelfFilter:
+        return metrics.smplify_x_filter(self.model, self.body.parents)
+
+    @functools.cached_property
+    def geodesics(self) -> metrics.Geodesics:
+        return metrics.Geodesics(self.rest, self.body.faces)
+
+    @functools.cached_property
+    def _parts(self) -> metrics.BodyParts:
+        return metrics.BodyParts(self.rest, self.body.faces, np.zeros(len(self.rest), np.int64))
+
+    def closed(self, poses: Vertices, close_holes: bool) -> Optional[Tuple[Model, Vertices]]:
+        """Returns the body as a closed surface with its poses, or None if it has holes that remain."""
+        if self.model.is_closed:
+            return self.model, poses
+        if not close_holes:
+            return None
+        return self._parts.model(0), self._parts.poses(0, poses.positions)
+
+
+class Clip(NamedTuple):
+    """The motion of a file, with its subject."""
+
+    path: str
+    body_model: str
+    subject: Subject
+    whole: motions.Motion
+    """all frames of the file"""
+
+    motion: motions.Motion
+    """the frames that are measured"""
+
+
+class Folder:
+    """How the motions of a folder are read. The arguments are those of `Measurement`."""
+
+    def __init__(self, folder: Path, body_models: Union[Path, Mapping[str, Path]],
+                 names: Sequence[str], known: Mapping[str, str], every: int, body_only: bool,
+                 betas: Optional[int], close_holes: bool, fps: Optional[float],
+                 threads: Optional[int]) -> None:
+        given = body_models if isinstance(body_models, Mapping) else {"": body_models}
+        self.folder = os.fspath(folder)
+        self.body_models = {gender: os.fspath(path) for gender, path in given.items()}
+        self.metrics = tuple(names)
+        self.every = every
+        self.body_only = body_only
+        self.betas = betas
+        self.close_holes = close_holes
+        self.fps = fps
+        self.threads = threads
+        unknown = [name for name in self.metrics if name not in known]
+        if unknown:
+            raise Error(f"metrics: unknown {unknown[0]!r}, expected {', '.join(known)}")
+        if every < 1:
+            raise Error(f"every: expected 1 or more, found {every}")
+        if betas is not None and betas < 0:
+            raise Error(f"betas: expected 0 or more, found {betas}")
+        if fps is not None and not 0 < fps < np.inf:
+            raise Error(f"fps: expected a positive number, found {fps}")
+        for path in self.body_models.values():
+            _body(path)  # rather one error now than one for each clip
+
+    @property
+    def options(self) -> str:
+        """What else decides the values of a row, as the table states it."""
+        return " ".join((["body-only"] if self.body_only else [])
+                        + ([f"betas={self.betas}"] if self.betas is not None else [])
+                        + (["close-holes"] if self.close_holes else []))
+
+    def path_of(self, clip: str) -> str:
+        return os.path.join(self.folder, clip)
+
+    def load(self, clip: str) -> Clip:
+        """Returns a clip with the frames that are measured."""
+        path = self.path_of(clip)
+        whole = motions.load(path, fps=self.fps)
+        body_model = self._body_model(path, whole.gender)
+        subject = self._subject(path, body_model, whole.betas[:self.betas])
+        motion = whole.body_only(subject.body.joint_count) if self.body_only else whole
+        return Clip(path, body_model, subject, whole, motion[::self.every])
+
+    def _body_model(self, path: str, gender: str) -> str:
+        found = self.body_models.get(gender, self.body_models.get(""))
+        if found is None:
+            raise Error(f"{path}: gender: no body model for {gender!r}")
+        return found
+
+    def _subject(self, path: str, body_model: str, betas: npt.NDArray[np.float64]) -> Subject:
+        most = _body(body_model).shape_directions.shape[2]
+        if len(betas) > most:
+            raise Error(f"{path}: betas: {len(betas)} shape parameters, but {body_model} has {most}: "
+                        f"measure with `--betas {most}`, or betas={most}")
+        return _subject(body_model, betas.tobytes())
+
+    def summary(self, name: str, values: npt.NDArray[np.float64]) -> Row:
+        """Returns the mean of a metric, its maximum, and the frame of the maximum."""
+        if np.isnan(values).any():
+            return {f"{name}_mean": "", f"{name}_max": "", f"{name}_frame": ""}
+        return {f"{name}_mean": float(values.mean()), f"{name}_max": float(values.max()),
+                f"{name}_frame": int(values.argmax()) * self.every}
+
+    def volume_error(self, values: Columns) -> Row:
+        """Returns the bound of the error of all volumes, if there are volumes."""
+        if "volume_error" not in values:
+            return {}
+        error = float(values["volume_error"].max())
+        return {"volume_error": "" if np.isnan(error) else error}
+
+
+def joined(chunks: Sequence[Columns]) -> Columns:
+    """Returns the values of all frames."""
+    return {name: np.concatenate([chunk[name] for chunk in chunks]) for name in chunks[0]}
+
+
+@functools.lru_cache(maxsize=4)
+def _body(path: str) -> body_models.BodyModel:
+    return body_models.load(path)
+
+
+@functools.lru_cache(maxsize=4)
+def _subject(path: str, betas: bytes) -> Subject:
+    """Consecutive clips often are of the same one or two subjects."""
+    return Subject(_body(path).subject(np.frombuffer(betas)))
