@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pelt/asset.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/near_joints.hpp>
 
 #include <cstdint>
 #include <span>
@@ -9,26 +9,14 @@
 
 namespace pelt::scenes {
 
-/// For the members of `SelfFilterOptions` with these names; `bodies` for `joint_bodies`.
-struct NearJoints {
-  std::vector<std::uint16_t> bodies;  ///< [J] the lowest joint of each joint's body
-  std::vector<IndexPair> joint_pairs, joint_pairs_in_zones;  ///< of bodies
-  std::vector<TriangleZone> zones;                           ///< named by bodies
-};
+/// Returns the posed vertices in the default pose of the nodes, without morph targets. If the
+/// default pose is invalid, returns the rest positions.
+std::vector<Vec3> default_positions(const asset::Asset& asset);
 
-/// Returns which joints are neighbours in the body of a character, whatever its rig looks like.
-/// Joints that no clip moves against each other are one rigid body, such as a bone and the armour
-/// that is attached to it. A body is near itself. Two bodies are near
-/// - if one is anywhere above the other in the hierarchy, and triangles of both share a corner, as
-///   at an armpit: only in the zone of the joint, where the skin creases (see joint_zones.hpp);
-/// - if one is the next above the other, without bodies that move no triangles, and no triangles of
-///   both share a corner;
-/// - if triangles of both touch in `at_rest`, as in a ball joint, or at a foot that is no child of
-///   its leg.
+/// Returns which joints of a character are neighbours in its body, as pelt::near_joints of a model
+/// of the asset. Needs no model.
 ///
 /// `main_joints`: [T] the joint that each triangle follows most (see TriangleLabels).
-/// `at_rest`: contacts in reference poses, found with the filter that an empty `at_rest` gives.
-/// Otherwise, joints whose skin creases at rest are near everywhere.
 ///
 /// Cost: O(T log T + V + keys of all clips).
 NearJoints near_joints(const asset::Asset& asset, std::span<const std::uint16_t> main_joints,

@@ -10,6 +10,7 @@
 #include <pelt/export.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
+#include <pelt/near_joints.hpp>
 #include <pelt/result.hpp>
 
 #include <array>
@@ -220,5 +221,12 @@ PELT_API void sample_palette(const Asset& asset, const Clip* clip, float seconds
 /// Cost: O(M + channels * log keys). Allocates nothing.
 PELT_API void sample_morph_weights(const Asset& asset, const Clip* clip, float seconds,
                                    std::span<float> weights);
+
+/// Returns the rigid bodies of the joints, for `near_joints`. Joints that no clip moves relative to
+/// each other are one body; if no clip moves any joint, each joint is a body. Motion of less than
+/// half a degree, or of 0.4 % of a length or scale, does not count.
+///
+/// Cost: O(nodes + J + keys of all clips). Allocates.
+PELT_API JointBodies joint_bodies(const Asset& asset);
 
 }  // namespace pelt::asset

@@ -60,6 +60,7 @@
 #include <pelt/mesh.hpp>
 #include <pelt/model.hpp>
 #include <pelt/motion.hpp>
+#include <pelt/near_joints.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/prepared.hpp>
 #include <pelt/query.hpp>

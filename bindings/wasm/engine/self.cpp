@@ -60,7 +60,7 @@ std::vector<TriangleZone> zones_in_model(std::span<const TriangleZone> zones, co
 Result<SelfFilter> make_filter(const Character& character, const Body& body, std::uint32_t rings,
                                bool has_near_joints, FilterInput input) {
   const std::span<const IndexPair> listed = elements<IndexPair>(input[kJointPairs]);
-  scenes::NearJoints near;
+  NearJoints near;
   if (has_near_joints) {
     const auto labels = scenes::label_triangles(character.asset());
     if (!labels) return labels.error();

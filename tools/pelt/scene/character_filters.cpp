@@ -11,9 +11,9 @@ namespace {
 
 /// Returns bodies, pairs and zones as in the collider's model, with the numbers of its joints and
 /// triangles.
-scenes::NearJoints numbered_in_model(const scenes::NearJoints& near, const Collider& collider) {
+NearJoints numbered_in_model(const NearJoints& near, const Collider& collider) {
   std::map<std::uint16_t, std::uint16_t> joints;  // a joint of each body
-  scenes::NearJoints own;
+  NearJoints own;
   for (std::uint16_t j = 0; j < collider.model.joint_count() && !near.bodies.empty(); ++j) {
     own.bodies.push_back(near.bodies[collider.joint_in_asset(j)]);
     joints.try_emplace(own.bodies.back(), j);
@@ -46,11 +46,11 @@ ContactList contacts_within(const ContactList& contacts, const Collider& collide
 }
 
 Result<SelfFilter> filter_of(const Collider& collider, const SelfRules& rules,
-                             const scenes::NearJoints& near, const ContactList& at_rest,
+                             const NearJoints& near, const ContactList& at_rest,
                              const ContactList& always) {
   const ContactList own_at_rest = contacts_within(at_rest, collider);
   const ContactList own_always = contacts_within(always, collider);
-  const scenes::NearJoints own = numbered_in_model(near, collider);
+  const NearJoints own = numbered_in_model(near, collider);
   SelfFilterOptions options;
   options.rings = rules.rings;
   options.at_rest = own_at_rest;
@@ -93,7 +93,7 @@ Result<void> CharacterFilters::prepare() {
 
 Result<SelfFilters> CharacterFilters::build(const ContactList& at_rest,
                                             const ContactList& always) const {
-  scenes::NearJoints near;
+  NearJoints near;
   if (rules_.drops_near_joints)
     near = scenes::near_joints(character_->asset, labels_.joint, at_rest);
   SelfFilters filters;

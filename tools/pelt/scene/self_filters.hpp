@@ -18,7 +18,7 @@ struct SelfRules {
   std::uint32_t rings = 5;        ///< see SelfFilterOptions::rings
   bool drops_at_rest = true;      ///< those of the rest pose and of the default pose of the nodes
   std::optional<double> always;   ///< those of at least this share of the poses of a character
-  bool drops_near_joints = true;  ///< see scenes::near_joints
+  bool drops_near_joints = true;  ///< see near_joints
 };
 
 struct SelfFilters {

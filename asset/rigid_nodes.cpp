@@ -1,14 +1,11 @@
-#include "scenes/rigid_nodes.hpp"
+#include "asset/rigid_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-namespace pelt::scenes {
+namespace pelt::asset {
 namespace {
-
-using asset::Channel;
-using asset::Path;
 
 /// Exporters write keys for all joints. Those of joints that nobody has moved differ from the
 /// default pose by rounding errors and by the tolerance of inverse kinematics: less than half a
@@ -36,16 +33,16 @@ bool is_still(Path path, std::span<const float> defaults, std::span<const float>
   return are_as(defaults, values, 1, kStill * largest(defaults));
 }
 
-std::span<const float> default_of(const asset::Transform& local, Path path) {
+std::span<const float> default_of(const Transform& local, Path path) {
   if (path == Path::rotation) return local.rotation;
   return path == Path::scale ? std::span<const float>(local.scale) : local.translation;
 }
 
 /// Precondition: the channel is not of weights.
-bool moves(const Channel& channel, const asset::Transform& local) {
+bool moves(const Channel& channel, const Transform& local) {
   const std::span<const float> defaults = default_of(local, channel.path);
   const std::size_t n = defaults.size();
-  const bool has_tangents = channel.interpolation == asset::Interpolation::cubic_spline;
+  const bool has_tangents = channel.interpolation == Interpolation::cubic_spline;
   const std::span<const float> values = channel.values;
   for (std::size_t i = 0; i + n <= values.size(); i += n) {
     const std::span<const float> row = values.subspan(i, n);
@@ -57,9 +54,9 @@ bool moves(const Channel& channel, const asset::Transform& local) {
   return false;
 }
 
-std::vector<bool> moved_nodes(const asset::Asset& asset) {
+std::vector<bool> moved_nodes(const Asset& asset) {
   std::vector<bool> moved(asset.nodes.size());
-  for (const asset::Clip& clip : asset.clips)
+  for (const Clip& clip : asset.clips)
     for (const Channel& channel : clip.channels)
       if (channel.path != Path::weights && !moved[channel.node])
         moved[channel.node] = moves(channel, asset.nodes[channel.node].local);
@@ -68,16 +65,16 @@ std::vector<bool> moved_nodes(const asset::Asset& asset) {
 
 }  // namespace
 
-std::vector<std::uint32_t> rigid_nodes(const asset::Asset& asset) {
+std::vector<std::uint32_t> rigid_nodes(const Asset& asset) {
   const std::vector<bool> moved = moved_nodes(asset);
   const bool is_statue = std::find(moved.begin(), moved.end(), true) == moved.end();
   std::vector<std::uint32_t> highest(asset.nodes.size());
   for (std::uint32_t node = 0; node < highest.size(); ++node) {
     const std::uint32_t parent = asset.nodes[node].parent;
-    const bool is_own = is_statue || moved[node] || parent == asset::kNoParent;
+    const bool is_own = is_statue || moved[node] || parent == kNoParent;
     highest[node] = is_own ? node : highest[parent];
   }
   return highest;
 }
 
-}  // namespace pelt::scenes
+}  // namespace pelt::asset

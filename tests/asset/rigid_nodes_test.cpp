@@ -1,17 +1,15 @@
-#include "scenes/rigid_nodes.hpp"
+#include "asset/rigid_nodes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pelt::scenes {
+namespace pelt::asset {
 namespace {
 
-using asset::Interpolation;
-using asset::Path;
 using Nodes = std::vector<std::uint32_t>;
 
 /// A chain of three nodes; node 2 is two units away from node 1.
-asset::Asset chain() {
-  asset::Asset asset;
+Asset chain() {
+  Asset asset;
   asset.nodes.resize(3);
   asset.nodes[1].parent = 0;
   asset.nodes[2].parent = 1;
@@ -23,7 +21,7 @@ asset::Asset chain() {
 /// The highest nodes if a clip has these values for node 2. Node 1 is turned.
 Nodes with_channel(Path path, const std::vector<float>& values,
                    Interpolation interpolation = Interpolation::linear) {
-  asset::Asset asset = chain();
+  Asset asset = chain();
   asset.clips[0].channels.push_back({1, Path::rotation, {}, {0}, {1, 0, 0, 0}});
   asset.clips[0].channels.push_back({2, path, interpolation, {0}, values});
   return rigid_nodes(asset);
@@ -32,14 +30,14 @@ Nodes with_channel(Path path, const std::vector<float>& values,
 const Nodes kRigid = {0, 1, 1}, kMoved = {0, 1, 2};
 
 TEST(RigidNodes, AreTheirOwnWithoutMotion) {
-  asset::Asset asset = chain();
+  Asset asset = chain();
   EXPECT_EQ(rigid_nodes(asset), (Nodes{0, 1, 2}));
   asset.clips.clear();
   EXPECT_EQ(rigid_nodes(asset), (Nodes{0, 1, 2}));
 }
 
 TEST(RigidNodes, FollowTheNodeAboveThatMoves) {
-  asset::Asset asset = chain();
+  Asset asset = chain();
   asset.clips[0].channels.push_back({2, Path::rotation, {}, {0}, {1, 0, 0, 0}});
   EXPECT_EQ(rigid_nodes(asset), (Nodes{0, 0, 2}));
   EXPECT_EQ(with_channel(Path::rotation, {0, 0, 0, 1}), kRigid);
@@ -71,4 +69,4 @@ TEST(RigidNodes, ReadTheValuesBetweenTangents) {
 TEST(RigidNodes, AreNotMovedByMorphTargets) { EXPECT_EQ(with_channel(Path::weights, {1}), kRigid); }
 
 }  // namespace
-}  // namespace pelt::scenes
+}  // namespace pelt::asset

@@ -1,4 +1,6 @@
-#include "scenes/joint_zones.hpp"
+#include "self/joint_zones.hpp"
+
+#include "scenes/near_joints.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +10,7 @@
 #include <set>
 #include <vector>
 
-namespace pelt::scenes {
+namespace pelt::detail {
 namespace {
 
 /// A tube along x, of 8 sides, with rings 1 apart. Joint 0 moves the vertices up to x = 0, joint 1
@@ -49,7 +51,9 @@ class Tube {
   asset::Asset& asset() { return asset_; }
   Borders& borders() { return borders_; }
   const std::vector<std::uint16_t>& bodies() const { return bodies_; }
-  JointZones zones() const { return joint_zones(asset_, bodies_, borders_); }
+  JointZones zones() const {
+    return joint_zones(scenes::default_positions(asset_), asset_.triangles, bodies_, borders_);
+  }
 
   /// Expects that the zone of body 1 has the triangles with a corner at first <= x <= last.
   void expect_reach(int first, int last) const {
@@ -139,4 +143,4 @@ TEST(JointZones, OfTooManyPairsHaveALimitedCost) {
 }
 
 }  // namespace
-}  // namespace pelt::scenes
+}  // namespace pelt::detail

@@ -1,41 +1,24 @@
-#include "scenes/joint_zones.hpp"
+#include "self/joint_zones.hpp"
 
 #include "base/vec3.hpp"
-#include "scenes/mesh_without_morphs.hpp"
-#include "skin/extent.hpp"
-#include "skin/skin.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace pelt::scenes {
+namespace pelt::detail {
 namespace {
 
-using detail::Vec3d;
 using Body = std::uint16_t;
 using TriangleNumbers = std::span<const std::uint32_t>;
 
 constexpr double kReach = 2.5;
 
-/// Returns the posed vertices in the default pose of the nodes, without morph targets. If the
-/// default pose is invalid, returns the rest positions.
-std::vector<Vec3> default_positions(const asset::Asset& asset) {
-  std::vector<Vec3> positions = asset.rest_positions;
-  const Result<detail::SkinnedMesh> mesh = mesh_without_morphs(asset);
-  if (!mesh) return positions;
-  std::vector<Matrix4> matrices(asset.joints.size());
-  asset::SampleScratch scratch;
-  asset::sample_palette(asset, nullptr, 0, Matrix4{}, scratch, matrices);
-  detail::Palette palette(mesh->joint_count, detail::extent_of(mesh->rest_positions));
-  if (palette.set(matrices)) detail::posed_vertices(*mesh, palette, positions);
-  return positions;
-}
-
 /// The triangles of each body.
-class TrianglesOf {
+class TrianglesOfBodies {
  public:
-  explicit TrianglesOf(std::span<const Body> triangle_bodies) : triangles_(triangle_bodies.size()) {
+  explicit TrianglesOfBodies(std::span<const Body> triangle_bodies)
+      : triangles_(triangle_bodies.size()) {
     for (const Body body : triangle_bodies) {
       if (begin_.size() < body + 2U) begin_.resize(body + 2U);
       ++begin_[body + 1U];
@@ -60,10 +43,11 @@ struct Ball {
   double radius = 0;
 };
 
-class Builder {
+class ZoneBuilder {
  public:
-  Builder(const asset::Asset& asset, std::span<const Body> triangle_bodies)
-      : asset_(asset), positions_(default_positions(asset)), triangles_(triangle_bodies) {}
+  ZoneBuilder(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+              std::span<const Body> triangle_bodies)
+      : positions_(positions), corners_(triangles), triangles_(triangle_bodies) {}
 
   JointZones build(const Borders& borders) {
     const std::span pairs = borders.pairs;
@@ -87,7 +71,7 @@ class Builder {
     constexpr std::size_t kMostTests = 64;  // per triangle of the character
     tests_ += triangles_[body].size();
     for (const IndexPair& pair : above) tests_ += triangles_[pair.second].size();
-    return tests_ <= kMostTests * asset_.triangles.size();
+    return tests_ <= kMostTests * corners_.size();
   }
 
   void add_zone(Body body, std::span<const IndexPair> above, std::span<const BorderVertex> border) {
@@ -117,12 +101,11 @@ class Builder {
     const double share = 1.0 / (3.0 * static_cast<double>(own.size()));
     Vec3d axis;  // from the centre to the mean of the corners
     for (const std::uint32_t t : own)
-      for (const std::uint32_t vertex : asset_.triangles[t])
-        axis = axis + share * (at(vertex) - centre);
+      for (const std::uint32_t vertex : corners_[t]) axis = axis + share * (at(vertex) - centre);
     const double length = squared_length(axis);
     double mean = 0;
     for (const std::uint32_t t : own)
-      for (const std::uint32_t vertex : asset_.triangles[t]) {
+      for (const std::uint32_t vertex : corners_[t]) {
         const Vec3d v = at(vertex) - centre;
         const double along = dot(v, axis);
         mean += share * (squared_length(v) - (length > 0 ? along * along / length : 0));
@@ -135,7 +118,7 @@ class Builder {
       return squared_length(at(vertex) - ball.centre) > ball.radius * ball.radius;
     };
     for (const std::uint32_t t : triangles_[body]) {
-      const Triangle& corners = asset_.triangles[t];
+      const Triangle& corners = corners_[t];
       if (!std::all_of(corners.begin(), corners.end(), is_outside))
         zones_.triangles.push_back({t, zone});
     }
@@ -143,18 +126,18 @@ class Builder {
 
   Vec3d at(std::uint32_t vertex) const { return Vec3d(positions_[vertex]); }
 
-  const asset::Asset& asset_;
-  std::vector<Vec3> positions_;  // [V]
-  TrianglesOf triangles_;
+  std::span<const Vec3> positions_;    // [V]
+  std::span<const Triangle> corners_;  // [T]
+  TrianglesOfBodies triangles_;
   std::size_t tests_ = 0;
   JointZones zones_;
 };
 
 }  // namespace
 
-JointZones joint_zones(const asset::Asset& asset, std::span<const std::uint16_t> triangle_bodies,
-                       const Borders& borders) {
-  return Builder(asset, triangle_bodies).build(borders);
+JointZones joint_zones(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                       std::span<const std::uint16_t> triangle_bodies, const Borders& borders) {
+  return ZoneBuilder(positions, triangles, triangle_bodies).build(borders);
 }
 
-}  // namespace pelt::scenes
+}  // namespace pelt::detail

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <pelt/asset.hpp>
+#include <pelt/math.hpp>
+#include <pelt/mesh.hpp>
 #include <pelt/self_collide.hpp>
 
 #include <compare>
@@ -9,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace pelt::scenes {
+namespace pelt::detail {
 
 /// A vertex where triangles of a body share a corner with triangles of a body above it.
 struct BorderVertex {
@@ -31,7 +32,7 @@ struct JointZones {
   std::size_t pair_count = 0;  ///< number of first elements of `Borders::pairs` that have zones
 };
 
-/// Returns the zones in which skin may crease. In the default pose of the nodes, the zone of a body
+/// Returns the zones in which skin may crease. In the pose of `positions`, the zone of a body
 /// is a ball around the border with the bodies above it: the ball's centre is the centre of the
 /// border vertices' bounding box, and its radius is 2.5 times the distance of the farthest border
 /// vertex from the centre. If the body is thicker than the border, its thickness is used instead of
@@ -43,10 +44,11 @@ struct JointZones {
 /// distance. A turn of the joint does not change distances from it, so that any pose would give
 /// nearly the same zones.
 ///
+/// `positions`: [V] posed vertices.
 /// `triangle_bodies`: [T] the body of each triangle.
 ///
 /// Cost: O(V + T). Pairs that would cost more get no zones.
-JointZones joint_zones(const asset::Asset& asset, std::span<const std::uint16_t> triangle_bodies,
-                       const Borders& borders);
+JointZones joint_zones(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                       std::span<const std::uint16_t> triangle_bodies, const Borders& borders);
 
-}  // namespace pelt::scenes
+}  // namespace pelt::detail
