@@ -11,6 +11,7 @@ void add_poses(pybind11::module_& module);
 void add_character(pybind11::module_& module);
 void add_collide(pybind11::module_& module);
 void add_self_collide(pybind11::module_& module);
+void add_near_joints(pybind11::module_& module);
 void add_self_distance(pybind11::module_& module);
 void add_motion(pybind11::module_& module);
 void add_distance(pybind11::module_& module);

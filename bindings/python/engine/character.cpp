@@ -144,6 +144,14 @@ std::vector<int> joint_parents(const Character& character) {
   return parents;
 }
 
+/// The rigid body of each joint, and the body above each, or -1.
+std::pair<std::vector<int>, std::vector<int>> joint_bodies(const Character& character) {
+  const JointBodies bodies = asset::joint_bodies(character.asset());
+  std::vector<int> above;
+  for (const std::uint16_t body : bodies.above) above.push_back(body == kNoJoint ? -1 : body);
+  return {{bodies.of_joints.begin(), bodies.of_joints.end()}, std::move(above)};
+}
+
 std::vector<std::tuple<std::string, float>> clips(const Character& character) {
   std::vector<std::tuple<std::string, float>> result;
   for (const Clip& clip : character.asset().clips) result.emplace_back(clip.name, clip.duration);
@@ -189,6 +197,7 @@ void add_character(py::module_& module) {
       .def_property_readonly("clips", &clips)
       .def_property_readonly("joint_names", &joint_names)
       .def_property_readonly("joint_parents", &joint_parents)
+      .def_property_readonly("joint_bodies", &joint_bodies)
       .def_property_readonly("morph_target_names", &morph_target_names)
       .def_property_readonly("parts", &parts)
       .def_property_readonly("warnings", [](const Character& c) { return c.asset().warnings; })

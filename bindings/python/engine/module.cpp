@@ -12,6 +12,7 @@ PYBIND11_MODULE(_pelt, module) {
   pelt::python::add_character(module);
   pelt::python::add_collide(module);
   pelt::python::add_self_collide(module);
+  pelt::python::add_near_joints(module);
   pelt::python::add_self_distance(module);
   pelt::python::add_motion(module);
   pelt::python::add_distance(module);

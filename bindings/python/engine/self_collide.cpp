@@ -3,6 +3,7 @@
 
 #include "bindings/python/engine/bindings.hpp"
 #include "bindings/python/engine/clip_poses.hpp"
+#include "bindings/python/engine/index_arrays.hpp"
 #include "bindings/python/engine/moving_columns.hpp"
 #include "bindings/python/engine/pair_lists.hpp"
 #include "bindings/python/engine/python_model.hpp"
@@ -25,26 +26,6 @@ struct FilterArrays {
   std::vector<TriangleZone> zones;
 };
 
-constexpr std::size_t kNumbers = 65'536;
-
-std::vector<std::uint16_t> read_numbers(const std::optional<Integers>& array,
-                                        const std::string& name) {
-  if (!array) return {};
-  check_shape(*array, name, {-1}, "[N]");
-  return indices_of<std::uint16_t>(*array, name, kNumbers);
-}
-
-template <class Pair, class Index>
-std::vector<Pair> read_pairs(const std::optional<Integers>& array, const std::string& name,
-                             std::size_t limit) {
-  std::vector<Pair> pairs;
-  if (!array) return pairs;
-  check_shape(*array, name, {-1, 2}, "[N, 2]");
-  const std::vector<Index> indices = indices_of<Index>(*array, name, limit);
-  for (std::size_t i = 0; i < indices.size(); i += 2) pairs.push_back({indices[i], indices[i + 1]});
-  return pairs;
-}
-
 std::vector<TriangleZone> read_zones(const std::optional<Integers>& array, std::size_t triangles) {
   std::vector<TriangleZone> zones;
   for (const auto& [triangle, zone] :
@@ -53,21 +34,6 @@ std::vector<TriangleZone> read_zones(const std::optional<Integers>& array, std::
     zones.push_back({triangle, static_cast<std::uint16_t>(zone)});
   }
   return zones;
-}
-
-/// -1 stands for no parent.
-std::vector<std::uint16_t> read_parents(const std::optional<Integers>& array) {
-  if (!array) return {};
-  check_shape(*array, "joint_parents", {-1}, "[J]");
-  std::vector<std::uint16_t> parents;
-  for (py::ssize_t j = 0; j < array->size(); ++j) {
-    const std::int64_t parent = array->at(j);
-    if (parent < -1 || parent >= kNoJoint)
-      throw ArgumentError("joint_parents: joint " + std::to_string(j) + " has the parent " +
-                          std::to_string(parent) + " (expected a joint, or -1 for none)");
-    parents.push_back(parent == -1 ? kNoJoint : static_cast<std::uint16_t>(parent));
-  }
-  return parents;
 }
 
 std::vector<std::uint8_t> read_flags(const std::optional<Integers>& array) {
@@ -91,7 +57,7 @@ SelfFilter make_filter(const PythonModel& model, std::uint32_t rings, const Opti
       read_pairs<Contact, std::uint32_t>(at_rest, "at_rest", triangles),
       read_pairs<Contact, std::uint32_t>(always, "always", triangles),
       read_numbers(joint_bodies, "joint_bodies"),
-      read_parents(joint_parents),
+      read_parents(joint_parents, "joint_parents"),
       read_numbers(groups, "groups"),
       read_pairs<IndexPair, std::uint16_t>(joint_pairs, "joint_pairs", kNumbers),
       read_pairs<IndexPair, std::uint16_t>(joint_pairs_in_zones, "joint_pairs_in_zones", kNumbers),

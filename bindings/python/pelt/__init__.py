@@ -30,7 +30,9 @@ from 0, as in the arrays of the model.
 
 Which triangles touch?
     collide              triangles of two models that intersect
-    self_collide         triangles of one model that intersect each other (see `SelfFilter`)
+    self_collide         triangles of one model that intersect each other (see `SelfFilter` and
+                         `Character.self_filter`)
+    near_joints          joints that are neighbours in the body, for `SelfFilter`
     intersects           only whether anything intersects, in each frame
     clearance            triangles of two models that are close to each other
     contact_geometry     positions, normals, depths, curves and patches of contacts
@@ -76,6 +78,7 @@ from pelt._inside import (Penetrations, deepest_vertex, side_of, vertices_inside
 from pelt._model import Model
 from pelt._motion import (MovingContacts, SelfMovingContacts, collide_moving, first_contact,
                           self_collide_moving)
+from pelt._near_joints import NearJoints, near_joints
 from pelt._pelt import Error, __version__
 from pelt._poses import Poses, PosesLike, Vertices, posed_vertices
 from pelt._rays import RayHits, cast_rays
@@ -85,10 +88,10 @@ Error.__module__ = "pelt"  # the name that messages and users see
 
 __all__ = [
     "Array", "Bounds", "Character", "Clip", "ClosestPoints", "ContactGeometry", "Contacts",
-    "Distances", "Error", "Model", "MovingContacts", "Part", "Penetrations", "Poses", "PosesLike",
+    "Distances", "Error", "Model", "MovingContacts", "NearJoints", "Part", "Penetrations", "Poses", "PosesLike",
     "RayHits", "SelfContacts", "SelfFilter", "SelfMovingContacts", "SurfacePoints", "Vertices",
     "__version__", "bounds", "cast_rays", "clearance", "closest_points", "collide",
     "collide_moving", "contact_geometry", "deepest_vertex", "distance", "first_contact",
-    "intersects", "load", "posed_vertices", "self_collide", "self_collide_moving",
+    "intersects", "load", "near_joints", "posed_vertices", "self_collide", "self_collide_moving",
     "self_contact_geometry", "side_of", "vertices_inside", "winding_numbers",
 ]

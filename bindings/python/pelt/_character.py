@@ -10,8 +10,10 @@ import numpy.typing as npt
 from pelt import _pelt
 from pelt._arrays import Array, floats, integer, with_axes
 from pelt._model import Model
-from pelt._poses import Poses
+from pelt._near_joints import NearJoints, of_bodies
+from pelt._poses import Poses, posed_vertices
 from pelt._run import run
+from pelt._self_collide import SelfFilter, self_collide
 
 
 class Clip(NamedTuple):
@@ -100,6 +102,55 @@ class Character:
         if not self.morph_target_names:
             return Poses(palettes)
         return Poses(palettes, self.morph_weights(clip, fps=fps, frames=frames, seconds=seconds))
+
+    def near_joints(self, at_rest: Optional[Array] = None) -> NearJoints:
+        """Returns which joints are neighbours in the body; see `pelt.near_joints`.
+
+        at_rest:  [N, 2] pairs of triangles that touch in reference poses.
+
+        Joints that no clip of the file moves against each other are one body, such as a bone and the
+        armour that is attached to it. These are the joints of `--self-near-joints` of `pelt check`.
+        """
+        bodies, above = (np.array(joints, np.int64) for joints in self._character.joint_bodies)
+        return of_bodies(self.model, bodies, above, self._default_positions(), at_rest)
+
+    def _default_positions(self) -> Optional[npt.NDArray[np.float32]]:
+        """Returns the vertices in the default pose without morph targets, or None if it is invalid."""
+        try:
+            posed: npt.NDArray[np.float32] = posed_vertices(self.model, self.palettes(), progress=False)[0]
+            return posed
+        except _pelt.Error:
+            return None
+
+    def self_filter(self, *, rings: int = 5, at_rest: bool = True,
+                    near_joints: bool = True) -> SelfFilter:
+        """Returns the filter of `pelt check` for `self_collide`. Make it once for all clips.
+
+        rings:        see `SelfFilter`.
+        at_rest:      leave out pairs that touch in the rest pose, or in the default pose of the file.
+        near_joints:  leave out creases at joints, see `near_joints`.
+
+        The defaults are those of the command's `--self-rings`, `--self-at-rest` and
+        `--self-near-joints`. With them, `self_collide` finds the pairs that `pelt check --self` does.
+        """
+        joints = self.near_joints() if near_joints else None
+        if not at_rest:
+            return SelfFilter(self.model, rings=rings, near_joints=joints)
+        touching = self._touching_at_rest(SelfFilter(self.model, rings=rings, near_joints=joints))
+        joints = self.near_joints(touching) if near_joints else None
+        return SelfFilter(self.model, rings=rings, at_rest=touching, near_joints=joints)
+
+    def _touching_at_rest(self, ignore: SelfFilter) -> npt.NDArray[np.int32]:
+        """Returns the pairs of triangles [N, 2] that touch in the rest pose or the default pose."""
+        rest = np.eye(4)[np.newaxis].repeat(self.model.joint_count, axis=0)[np.newaxis]
+        palettes = np.concatenate([rest, self.palettes()])
+        poses = Poses(palettes)
+        if self.morph_target_names:
+            weights = self.morph_weights()
+            poses = Poses(palettes, np.concatenate([np.zeros_like(weights), weights]))
+        found = self_collide(self.model, poses, ignore, progress=False)
+        pairs: npt.NDArray[np.int32] = np.stack([found.triangle_a, found.triangle_b], axis=1)
+        return np.unique(pairs, axis=0)
 
     def _clip_index(self, clip: Optional[str]) -> int:
         names = [known.name for known in self.clips]

@@ -8,6 +8,7 @@ from pelt import _pelt
 from pelt._arrays import Array, Integers, integers
 from pelt._contacts import Contacts, SelfContacts, limit
 from pelt._model import Model
+from pelt._near_joints import NearJoints
 from pelt._poses import PosesLike, clip_poses
 from pelt._run import Progress, run
 
@@ -28,6 +29,8 @@ class SelfFilter:
     joint_pairs_in_zones:  [N, 2] joints, as `joint_pairs`, but only where one of the `zones` contains
                     both triangles.
     zones:          [N, 2] a triangle, and the number of a zone that contains it.
+    near_joints:    `NearJoints`: leaves out creases of the skin at joints. Gives joint_bodies,
+                    joint_pairs, joint_pairs_in_zones and zones together.
     groups:         [T] group of each triangle.
     group_pairs:    [N, 2] groups: leaves out pairs of triangles of two such groups.
 
@@ -41,7 +44,15 @@ class SelfFilter:
                  joint_parents: Optional[Array] = None, joint_pairs: Optional[Array] = None,
                  joint_bodies: Optional[Array] = None,
                  joint_pairs_in_zones: Optional[Array] = None, zones: Optional[Array] = None,
-                 groups: Optional[Array] = None, group_pairs: Optional[Array] = None) -> None:
+                 near_joints: Optional[NearJoints] = None, groups: Optional[Array] = None,
+                 group_pairs: Optional[Array] = None) -> None:
+        if near_joints is not None:
+            if not all(given is None
+                       for given in (joint_bodies, joint_pairs, joint_pairs_in_zones, zones)):
+                raise _pelt.Error("near_joints: cannot be combined with joint_bodies, joint_pairs, "
+                                  "joint_pairs_in_zones or zones")
+            joint_bodies, joint_pairs, joint_pairs_in_zones, zones = near_joints
+
         def optional(name: str, value: Optional[Array]) -> Optional[Integers]:
             return None if value is None else integers(name, value)
 
