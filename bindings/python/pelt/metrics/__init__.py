@@ -21,6 +21,8 @@ Two bodies:
     penetration_frames         frames with penetration (multiphys)
     depth                      depth of the deepest vertex
     summed_depth               depths of all vertices, summed (PhysiGen)
+A body and the ground:
+    ground                     penetration, floating and skating (PhysDiff)
 Volumes of closed surfaces:
     intersection_volume        inside both of two bodies, exact but for rounding
     self_intersection_volume   of one body with itself
@@ -33,6 +35,7 @@ from pelt.metrics._body_parts import BodyParts
 from pelt.metrics._collisions import (SMPLIFY_X_IGNORED, CappedCollisions, CollidingTriangles,
                                       capped_colliding_triangles, colliding_triangles,
                                       smplify_x_filter)
+from pelt.metrics._ground import Ground, ground
 from pelt.metrics._penetration import (Depth, InsideVertices, PenetrationFrames, SummedDepth,
                                        depth, penetration_frames, summed_depth,
                                        vertices_inside)
@@ -42,9 +45,9 @@ from pelt.metrics._volume import (Volumes, VoxelVolume, intersection_volume,
                                   voxel_self_intersection_volume)
 
 __all__ = [
-    "BodyParts", "CappedCollisions", "CollidingTriangles", "Depth", "Geodesics", "InsideVertices",
-    "PenetrationFrames", "SMPLIFY_X_IGNORED", "SelfContact", "SummedDepth", "Volumes", "VoxelVolume",
-    "capped_colliding_triangles", "colliding_triangles", "depth", "intersection_volume",
+    "BodyParts", "CappedCollisions", "CollidingTriangles", "Depth", "Geodesics", "Ground",
+    "InsideVertices", "PenetrationFrames", "SMPLIFY_X_IGNORED", "SelfContact", "SummedDepth", "Volumes", "VoxelVolume",
+    "capped_colliding_triangles", "colliding_triangles", "depth", "ground", "intersection_volume",
     "penetration_frames", "self_contact", "self_intersection_volume", "smplify_x_filter",
     "summed_depth", "vertices_inside", "volume", "voxel_intersection_volume",
     "voxel_self_intersection_volume",
