@@ -15,6 +15,8 @@ void add_near_joints(pybind11::module_& module);
 void add_self_distance(pybind11::module_& module);
 void add_motion(pybind11::module_& module);
 void add_distance(pybind11::module_& module);
+void add_solid(pybind11::module_& module);
+void add_height_field(pybind11::module_& module);
 void add_rays(pybind11::module_& module);
 void add_body_vertices(pybind11::module_& module);
 void add_bounds(pybind11::module_& module);

@@ -2,6 +2,7 @@
 
 #include "bindings/python/engine/bindings.hpp"
 #include "bindings/python/engine/clip_poses.hpp"
+#include "bindings/python/engine/distance_columns.hpp"
 #include "bindings/python/engine/points.hpp"
 #include "bindings/python/engine/run_frames.hpp"
 
@@ -16,45 +17,23 @@ using Floats = py::array_t<float>;
 /// Distance, then triangle, barycentrics and position.
 using ClosestColumns = std::tuple<py::array_t<double>, Triangles, Floats, Floats>;
 
-/// Distance, then triangle, barycentrics and position on a, and the same on b.
-using DistanceColumns =
-    std::tuple<py::array_t<double>, Triangles, Floats, Floats, Triangles, Floats, Floats>;
-
-void check_distance(double value, const char* name) {
-  if (!(value >= 0)) throw ArgumentError(std::string(name) + ": expected 0 or more");
-}
-
 /// Distances of all frames [F], with the closest points.
 DistanceColumns all_distances(const ClipPoses& a, const ClipPoses& b, double max_distance,
                               double tolerance, const Run& run) {
   check_distance(max_distance, "max_distance");
   check_distance(tolerance, "tolerance");
   const std::size_t frames = common_frame_count(a, b);
-  DistanceColumns columns = {new_array<double>({frames}),       new_array<std::int32_t>({frames}),
-                             new_array<float>({frames, 3}),     new_array<float>({frames, 3}),
-                             new_array<std::int32_t>({frames}), new_array<float>({frames, 3}),
-                             new_array<float>({frames, 3})};
-  auto& [distances, triangles_a, weights_a, points_a, triangles_b, weights_b, points_b] = columns;
-  double* const out = distances.mutable_data();
-  const SurfacePointColumns on_a = {triangles_a.mutable_data(), weights_a.mutable_data(),
-                                    points_a.mutable_data()};
-  const SurfacePointColumns on_b = {triangles_b.mutable_data(), weights_b.mutable_data(),
-                                    points_b.mutable_data()};
+  const DistanceTable table(frames);
   run_frames(frames, run, [&](FrameQueue& queue) {
     FramePose pose_a(a), pose_b(b);
     Scratch scratch;
     while (const auto frame = queue.next()) {
       Distance found;
       distance(pose_a.at(*frame), pose_b.at(*frame), scratch, found, {max_distance, tolerance});
-      out[*frame] = found.distance;
-      on_a.set_nothing(*frame);
-      on_b.set_nothing(*frame);
-      if (!found) continue;
-      on_a.set(*frame, found.a);
-      on_b.set(*frame, found.b);
+      table.set(*frame, found);
     }
   });
-  return columns;
+  return table.columns();
 }
 
 /// The closest points of all frames [F, P].

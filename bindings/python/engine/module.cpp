@@ -16,6 +16,8 @@ PYBIND11_MODULE(_pelt, module) {
   pelt::python::add_self_distance(module);
   pelt::python::add_motion(module);
   pelt::python::add_distance(module);
+  pelt::python::add_solid(module);
+  pelt::python::add_height_field(module);
   pelt::python::add_rays(module);
   pelt::python::add_bounds(module);
   pelt::python::add_inside(module);

@@ -41,6 +41,11 @@ Between frames:
     collide_moving       triangles that intersect at any time between two frames, and when first
     self_collide_moving
     first_contact        the first contact of each step
+Simple solids and terrain:
+    collide_solid        triangles that touch a half-space, box, sphere or capsule
+    solid_distance       least distance from it
+    collide_field        triangles that intersect a height field
+    field_distance       least distance from it
 Distances, rays, bounds:
     distance             least distance of two models
     closest_points       points of the surface that are closest to given points
@@ -73,6 +78,7 @@ from pelt._collide import clearance, collide, intersects
 from pelt._contact_geometry import ContactGeometry, contact_geometry, self_contact_geometry
 from pelt._contacts import Contacts, SelfContacts
 from pelt._distance import ClosestPoints, Distances, SurfacePoints, closest_points, distance
+from pelt._height_field import HeightField, collide_field, field_distance
 from pelt._inside import (Penetrations, deepest_vertex, side_of, vertices_inside,
                           winding_numbers)
 from pelt._model import Model
@@ -83,15 +89,19 @@ from pelt._pelt import Error, __version__
 from pelt._poses import Poses, PosesLike, Vertices, posed_vertices
 from pelt._rays import RayHits, cast_rays
 from pelt._self_collide import SelfFilter, self_collide
+from pelt._solid import (Box, Capsule, HalfSpace, OrientedBox, Solid, SolidContacts,
+                         SolidDistances, Sphere, collide_solid, solid_distance)
 
 Error.__module__ = "pelt"  # the name that messages and users see
 
 __all__ = [
-    "Array", "Bounds", "Character", "Clip", "ClosestPoints", "ContactGeometry", "Contacts",
-    "Distances", "Error", "Model", "MovingContacts", "NearJoints", "Part", "Penetrations", "Poses", "PosesLike",
-    "RayHits", "SelfContacts", "SelfFilter", "SelfMovingContacts", "SurfacePoints", "Vertices",
-    "__version__", "bounds", "cast_rays", "clearance", "closest_points", "collide",
-    "collide_moving", "contact_geometry", "deepest_vertex", "distance", "first_contact",
+    "Array", "Bounds", "Box", "Capsule", "Character", "Clip", "ClosestPoints", "ContactGeometry",
+    "Contacts", "Distances", "Error", "HalfSpace", "HeightField", "Model", "MovingContacts",
+    "NearJoints", "OrientedBox", "Part", "Penetrations", "Poses", "PosesLike", "RayHits",
+    "SelfContacts", "SelfFilter", "SelfMovingContacts", "Solid", "SolidContacts", "SolidDistances",
+    "Sphere", "SurfacePoints", "Vertices", "__version__", "bounds", "cast_rays", "clearance",
+    "closest_points", "collide", "collide_field", "collide_moving", "collide_solid",
+    "contact_geometry", "deepest_vertex", "distance", "field_distance", "first_contact",
     "intersects", "load", "near_joints", "posed_vertices", "self_collide", "self_collide_moving",
-    "self_contact_geometry", "side_of", "vertices_inside", "winding_numbers",
+    "self_contact_geometry", "side_of", "solid_distance", "vertices_inside", "winding_numbers",
 ]
