@@ -134,6 +134,68 @@ class Hostile(Case):
 
         self.check(2000, one_round)
 
+    def test_solids(self):
+        cube, here = box_model(), moved([0, 0, 0], [1, 0, 0])
+        kinds = {pelt.HalfSpace: [[0, 1, 0], 0], pelt.Box: [[0, 0, 0], [1, 1, 1]],
+                 pelt.OrientedBox: [[0, 0, 0], [1, 1, 1], np.eye(3)], pelt.Sphere: [[0, 0, 0], 1],
+                 pelt.Capsule: [[0, 0, 0], [1, 0, 0], 0.5]}
+
+        def one_round(seed, random):
+            kind = random.pick(list(kinds))
+            members = list(kinds[kind])
+            wrong = random.random.integers(len(members))
+            members[wrong] = random.argument(np.array(members[wrong], float))
+            call = random.pick([pelt.collide_solid, pelt.solid_distance])
+            return self.attempt(seed, call, cube, here, kind(*members))
+
+        self.check(3000, one_round)
+
+    def test_height_fields(self):
+        cube, here = box_model(), moved([0, 0, 0])
+
+        def use(heights, **options):
+            field = pelt.HeightField(heights, **options)
+            pelt.collide_field(cube, here, field)
+            pelt.field_distance(cube, here, field, max_distance=4)
+            return field.triangles
+
+        def one_round(seed, random):
+            options = {"origin": (-1, 0, -1), "column_spacing": 0.5, "row_spacing": 0.5}
+            heights = random.argument(np.zeros((4, 5)))
+            if random.random.integers(2):
+                heights = np.zeros((4, 5))
+                name = random.pick(list(options))
+                value = random.pick([*NUMBERS, "x", None])
+                options[name] = (0, value, 0) if name == "origin" else value
+            return self.attempt(seed, use, heights, **options)
+
+        self.check(2000, one_round)
+
+    def test_crowds(self):
+        cube, here = box_model(), moved([0, 0, 0], [0.5, 0.25, 0.125])
+
+        def one_round(seed, random):
+            crowd = [(cube, here), (cube, here[:1]), (cube, here)]
+            options = {"pairs": [[0, 1], [2, 1]]}
+            if random.random.integers(2):
+                crowd[random.random.integers(3)] = (cube, random.argument(here))
+            else:
+                options["pairs"] = random.argument(np.array([[0, 1], [1, 2]]))
+            return self.attempt(seed, pelt.collide_crowd, crowd, **options)
+
+        self.check(2000, one_round)
+
+    def test_near_joints(self):
+        cube = box_model()
+
+        def one_round(seed, random):
+            parents = [-1] if random.random.integers(2) else random.argument(np.array([-1]))
+            options = {random.pick(["positions", "at_rest"]): random.argument(np.zeros((8, 3)))}
+            return self.attempt(seed, pelt.near_joints, cube, parents,
+                                **(options if random.random.integers(3) else {}))
+
+        self.check(2000, one_round)
+
     def test_a_million_frames_of_nothing(self):
         cube = box_model()
         self.refuses("shape", pelt.posed_vertices, cube, np.zeros((10**6, 0, 4, 4)))

@@ -13,6 +13,7 @@ void add_collide(pybind11::module_& module);
 void add_self_collide(pybind11::module_& module);
 void add_near_joints(pybind11::module_& module);
 void add_self_distance(pybind11::module_& module);
+void add_crowd(pybind11::module_& module);
 void add_motion(pybind11::module_& module);
 void add_distance(pybind11::module_& module);
 void add_solid(pybind11::module_& module);

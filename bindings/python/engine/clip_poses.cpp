@@ -124,10 +124,32 @@ void ClipPoses::set_offsets(Pose& pose, std::size_t frame, Memory& memory) const
 }
 
 void ClipPoses::set_vertices(Pose& pose, std::size_t frame, Memory& memory) const {
+  read_vertices(frame, memory);
+  check(pose.set_vertices(memory.vertices), place(frame));
+}
+
+void ClipPoses::read_vertices(std::size_t frame, Memory& memory) const {
   static_assert(sizeof(Vec3) == 3 * sizeof(float));
   memory.vertices.resize(model().vertex_count());
   vertices_->copy(frame, &memory.vertices.data()->x);
-  check(pose.set_vertices(memory.vertices), place(frame));
+}
+
+void ClipPoses::set(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const {
+  if (offsets_) throw ArgumentError(name_ + ": a crowd takes no offsets (give pelt.Vertices)");
+  if (vertices_) {
+    read_vertices(frame, memory);
+    return check(crowd.set_vertices(instance, memory.vertices), place(frame));
+  }
+  read_palette(frame, memory);
+  if (morph_weights_) {
+    // The palette may be invalid only together with the morph weights of an earlier frame.
+    memory.morph_weights.assign(model().morph_target_count(), 0);
+    check(crowd.set_morph_weights(instance, memory.morph_weights), place(frame));
+  }
+  check(crowd.set_palette(instance, memory.palette), place(frame));
+  if (!morph_weights_) return;
+  morph_weights_->copy(frame, memory.morph_weights.data());
+  check(crowd.set_morph_weights(instance, memory.morph_weights), place(frame));
 }
 
 Pose& FramePose::at(std::size_t frame) {

@@ -2,6 +2,7 @@
 
 /// The poses of a model in all frames of a call.
 
+#include <pelt/crowd.hpp>
 #include <pelt/math.hpp>
 #include <pelt/model.hpp>
 #include <pelt/motion.hpp>
@@ -53,6 +54,10 @@ class ClipPoses {
   /// invalid. `memory` must outlive the queries of the pose.
   void set(Pose& pose, std::size_t frame, Memory& memory) const;
 
+  /// Sets an instance of a crowd to a frame. Throws like `set` of a pose, and if there are offsets,
+  /// which a crowd would borrow.
+  void set(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const;
+
  private:
   ClipPoses(PythonModel model, std::string name, std::size_t frame_count)
       : model_(std::move(model)), name_(std::move(name)), frame_count_(frame_count) {}
@@ -60,6 +65,7 @@ class ClipPoses {
   std::string place(std::size_t frame) const;
   void set_palette(Pose& pose, std::size_t frame, Memory& memory) const;
   void read_palette(std::size_t frame, Memory& memory) const;
+  void read_vertices(std::size_t frame, Memory& memory) const;
   void check_last_row(const float* row, std::size_t frame, std::size_t joint) const;
   void set_morph_weights(Pose& pose, std::size_t frame, Memory& memory) const;
   void set_offsets(Pose& pose, std::size_t frame, Memory& memory) const;

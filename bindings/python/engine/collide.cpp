@@ -70,7 +70,7 @@ void add_collide(py::module_& module) {
              py::arg("max_pairs"), py::arg("run"));
   module.def("intersects", &all_intersect, py::arg("a"), py::arg("b"), py::arg("run"));
   module.def("contact_hash", &contact_hash, py::arg("frame"), py::arg("triangle_a"),
-             py::arg("triangle_b"), py::arg("body_a"), py::arg("body_b"));
+             py::arg("triangle_b"), py::arg("bodies_a"), py::arg("bodies_b"));
 }
 
 }  // namespace pelt::python

@@ -19,14 +19,17 @@ class Fnv1a64 {
 }  // namespace
 
 std::uint64_t contact_hash(const Column& frames, const Column& triangles_a,
-                           const Column& triangles_b, std::uint32_t body_a, std::uint32_t body_b) {
+                           const Column& triangles_b, const Column& bodies_a,
+                           const Column& bodies_b) {
   check_shape(triangles_a, "triangle_a", {frames.size()}, "[N]");
   check_shape(triangles_b, "triangle_b", {frames.size()}, "[N]");
+  check_shape(bodies_a, "bodies_a", {frames.size()}, "[N]");
+  check_shape(bodies_b, "bodies_b", {frames.size()}, "[N]");
   Fnv1a64 hash;
   for (py::ssize_t i = 0; i < frames.size(); ++i) {
     hash.add(static_cast<std::uint32_t>(frames.at(i)));
-    hash.add(body_a);
-    hash.add(body_b);
+    hash.add(static_cast<std::uint32_t>(bodies_a.at(i)));
+    hash.add(static_cast<std::uint32_t>(bodies_b.at(i)));
     hash.add(static_cast<std::uint32_t>(triangles_a.at(i)));
     hash.add(static_cast<std::uint32_t>(triangles_b.at(i)));
   }

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_pelt, module) {
   pelt::python::add_self_collide(module);
   pelt::python::add_near_joints(module);
   pelt::python::add_self_distance(module);
+  pelt::python::add_crowd(module);
   pelt::python::add_motion(module);
   pelt::python::add_distance(module);
   pelt::python::add_solid(module);

@@ -8,6 +8,7 @@
 #include "bindings/python/engine/pair_lists.hpp"
 #include "bindings/python/engine/python_model.hpp"
 #include "bindings/python/engine/run_frames.hpp"
+#include "bindings/python/engine/self_filters.hpp"
 
 #include <pybind11/stl.h>
 
@@ -72,12 +73,6 @@ SelfFilter make_filter(const PythonModel& model, std::uint32_t rings, const Opti
       "SelfFilter");
 }
 
-/// A filter of another model would end the program.
-void check_model(const ClipPoses& poses, const SelfFilter& filter) {
-  if (&filter.model().detail() != &poses.model().detail())
-    throw ArgumentError("ignore: the filter was made for another model");
-}
-
 using Counts = std::map<std::string, std::uint64_t>;
 
 Counts counts_of(const LeftOut& left_out) {
@@ -102,7 +97,7 @@ class LeftOutSum {
 
 std::pair<PairColumns, Counts> all_self_contacts(const ClipPoses& poses, const SelfFilter& filter,
                                                  std::uint32_t max_contacts, const Run& run) {
-  check_model(poses, filter);
+  check_model(poses, filter, "ignore");
   PairLists<Contact> found(poses.frame_count());
   LeftOutSum left_out;
   run_frames(poses.frame_count(), run, [&](FrameQueue& queue) {
@@ -149,7 +144,7 @@ std::pair<py::array_t<bool>, Counts> kept_pairs(const SelfFilter& filter, const 
 std::pair<MovingColumns, Counts> all_self_moving(const ClipPoses& poses, const SelfFilter& filter,
                                                  bool leave_out_start, bool times,
                                                  std::uint32_t max_contacts, const Run& run) {
-  check_model(poses, filter);
+  check_model(poses, filter, "ignore");
   const std::size_t steps = step_count(poses.frame_count());
   FrameLists<MovingContact> found(steps);
   LeftOutSum left_out;

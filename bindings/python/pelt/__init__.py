@@ -35,6 +35,7 @@ Which triangles touch?
     near_joints          joints that are neighbours in the body, for `SelfFilter`
     intersects           only whether anything intersects, in each frame
     clearance            triangles of two models that are close to each other
+    collide_crowd        triangles of many characters that intersect
     contact_geometry     positions, normals, depths, curves and patches of contacts
     self_contact_geometry
 Between frames:
@@ -77,6 +78,7 @@ from pelt._character import Character, Clip, Part, load
 from pelt._collide import clearance, collide, intersects
 from pelt._contact_geometry import ContactGeometry, contact_geometry, self_contact_geometry
 from pelt._contacts import Contacts, SelfContacts
+from pelt._crowd import CrowdContacts, collide_crowd
 from pelt._distance import ClosestPoints, Distances, SurfacePoints, closest_points, distance
 from pelt._height_field import HeightField, collide_field, field_distance
 from pelt._inside import (Penetrations, deepest_vertex, side_of, vertices_inside,
@@ -96,12 +98,13 @@ Error.__module__ = "pelt"  # the name that messages and users see
 
 __all__ = [
     "Array", "Bounds", "Box", "Capsule", "Character", "Clip", "ClosestPoints", "ContactGeometry",
-    "Contacts", "Distances", "Error", "HalfSpace", "HeightField", "Model", "MovingContacts",
-    "NearJoints", "OrientedBox", "Part", "Penetrations", "Poses", "PosesLike", "RayHits",
-    "SelfContacts", "SelfFilter", "SelfMovingContacts", "Solid", "SolidContacts", "SolidDistances",
-    "Sphere", "SurfacePoints", "Vertices", "__version__", "bounds", "cast_rays", "clearance",
-    "closest_points", "collide", "collide_field", "collide_moving", "collide_solid",
-    "contact_geometry", "deepest_vertex", "distance", "field_distance", "first_contact",
-    "intersects", "load", "near_joints", "posed_vertices", "self_collide", "self_collide_moving",
-    "self_contact_geometry", "side_of", "solid_distance", "vertices_inside", "winding_numbers",
+    "Contacts", "CrowdContacts", "Distances", "Error", "HalfSpace", "HeightField", "Model",
+    "MovingContacts", "NearJoints", "OrientedBox", "Part", "Penetrations", "Poses", "PosesLike",
+    "RayHits", "SelfContacts", "SelfFilter", "SelfMovingContacts", "Solid", "SolidContacts",
+    "SolidDistances", "Sphere", "SurfacePoints", "Vertices", "__version__", "bounds", "cast_rays",
+    "clearance", "closest_points", "collide", "collide_crowd", "collide_field", "collide_moving",
+    "collide_solid", "contact_geometry", "deepest_vertex", "distance", "field_distance",
+    "first_contact", "intersects", "load", "near_joints", "posed_vertices", "self_collide",
+    "self_collide_moving", "self_contact_geometry", "side_of", "solid_distance", "vertices_inside",
+    "winding_numbers",
 ]

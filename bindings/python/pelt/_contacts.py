@@ -53,8 +53,8 @@ class Contacts:
     @property
     def hash(self) -> str:
         """The hash that `pelt check` prints for these contacts, as 16 hexadecimal digits."""
-        body_a, body_b = self._bodies
-        value = _pelt.contact_hash(self.frame, self.triangle_a, self.triangle_b, body_a, body_b)
+        bodies_a, bodies_b = (np.broadcast_to(np.int32(body), len(self)) for body in self._bodies)
+        value = _pelt.contact_hash(self.frame, self.triangle_a, self.triangle_b, bodies_a, bodies_b)
         return f"{value:016x}"
 
     def __len__(self) -> int:
