@@ -94,7 +94,7 @@ function(pelt_precompiled target)
 endfunction()
 
 # pelt_compiled_together(TARGET [BY_FOLDER] [ALONE sources...]): with PELT_COMPILE_TOGETHER,
-# compiles the files of TARGET eight at a time, or all files of a folder at once, because most of
+# compiles the files of TARGET twenty at a time, or all files of a folder at once, because most of
 # the time goes into headers that they share. ALONE lists files that define a name of another file
 # differently.
 option(PELT_COMPILE_TOGETHER "Compile many small files at once: a first build is shorter" OFF)
@@ -103,7 +103,7 @@ function(pelt_compiled_together target)
   if(NOT PELT_COMPILE_TOGETHER)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
   if(ARG_BY_FOLDER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
     get_target_property(sources ${target} SOURCES)

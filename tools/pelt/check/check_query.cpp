@@ -13,6 +13,8 @@
 namespace pelt::tools::check {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// Removes ignored contacts, and pairs of colliders without other contacts. Returns the number of
 /// removed contacts.
 std::uint64_t take_ignored_out(const scenes::IgnoredPairs& ignored,
@@ -111,7 +113,6 @@ Result<void> CheckQuery::ask_frame(std::size_t index, FrameAnswer& answer) {
 
 /// Finds the contacts of the frame, including ignored ones.
 Result<void> CheckQuery::find_contacts(FrameAnswer& answer) {
-  using Clock = std::chrono::steady_clock;
   CollideOptions options;
   if (plan_.settings.max_contacts) options.max_contacts = *plan_.settings.max_contacts;
   const Clock::time_point begin = Clock::now();
