@@ -8,7 +8,7 @@ namespace {
 using Numbers = std::vector<std::uint16_t>;
 
 /// A chain of five nodes; those of the joints are 4, 1 and 3. A clip turns nodes 1 and 4.
-Asset chain() {
+Asset body_chain() {
   Asset asset;
   asset.nodes.resize(5);
   for (std::uint32_t node = 1; node < 5; ++node) asset.nodes[node].parent = node - 1;
@@ -20,13 +20,13 @@ Asset chain() {
 }
 
 TEST(JointBodies, JoinWhatNoClipMoves) {
-  const JointBodies bodies = joint_bodies(chain());
+  const JointBodies bodies = joint_bodies(body_chain());
   EXPECT_EQ(bodies.of_joints, (Numbers{0, 1, 1})) << "node 3 follows node 1";
   EXPECT_EQ(bodies.above, (Numbers{1, kNoJoint, kNoJoint}));
 }
 
 TEST(JointBodies, AreJointsIfNothingMoves) {
-  Asset asset = chain();
+  Asset asset = body_chain();
   asset.clips.clear();
   const JointBodies bodies = joint_bodies(asset);
   EXPECT_EQ(bodies.of_joints, (Numbers{0, 1, 2}));

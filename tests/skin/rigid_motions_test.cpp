@@ -8,14 +8,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace pelt {
 namespace {
 
 using detail::DualQuaternion;
+using detail::Vec3d;
 using test::Random;
 using test::Turns;
 
@@ -51,9 +55,9 @@ DualQuaternion plain_motion(const Matrix4& matrix) {
   const Vec3d r(scale * row[0], scale * row[1], scale * row[2]);
   const double w = scale * row[3];
   const Vec3d e = 0.5 * (w * t + cross(t, r));
-  const Vec3 real = to_float(r), dual = to_float(e);
+  const Vec3 real = detail::to_float(r), dual = detail::to_float(e);
   return {{real.x, real.y, real.z, static_cast<float>(w)},
-          {dual.x, dual.y, dual.z, static_cast<float>(0.5 * -dot(t, r))}};
+          {dual.x, dual.y, dual.z, static_cast<float>(0.5 * -detail::dot(t, r))}};
 }
 
 bool have_equal_bits(const DualQuaternion& a, const DualQuaternion& b) {

@@ -12,10 +12,10 @@
 namespace pelt::python {
 namespace {
 
-using Numbers = py::array_t<std::int32_t>;
+using Integers = py::array_t<std::int32_t>;
 
-Numbers array_of_pairs(std::span<const IndexPair> pairs) {
-  Numbers array = new_array<std::int32_t>({pairs.size(), 2});
+Integers array_of_pairs(std::span<const IndexPair> pairs) {
+  Integers array = new_array<std::int32_t>({pairs.size(), 2});
   std::int32_t* out = array.mutable_data();
   for (const auto& [first, second] : pairs) {
     *out++ = first;
@@ -24,8 +24,8 @@ Numbers array_of_pairs(std::span<const IndexPair> pairs) {
   return array;
 }
 
-Numbers array_of_zones(std::span<const TriangleZone> zones) {
-  Numbers array = new_array<std::int32_t>({zones.size(), 2});
+Integers array_of_zones(std::span<const TriangleZone> zones) {
+  Integers array = new_array<std::int32_t>({zones.size(), 2});
   std::int32_t* out = array.mutable_data();
   for (const auto& [triangle, zone] : zones) {
     *out++ = static_cast<std::int32_t>(triangle);
@@ -46,7 +46,7 @@ std::vector<Vec3> read_positions(const std::optional<py::array>& array, std::siz
 }
 
 /// The bodies [J], the pairs of joints and the pairs in zones [N, 2], and the zones [N, 2].
-using NearColumns = std::tuple<Numbers, Numbers, Numbers, Numbers>;
+using NearColumns = std::tuple<Integers, Integers, Integers, Integers>;
 
 NearColumns all_near_joints(const PythonModel& model, const Integers& bodies, const Integers& above,
                             const std::optional<py::array>& positions,
@@ -60,7 +60,7 @@ NearColumns all_near_joints(const PythonModel& model, const Integers& bodies, co
     const py::gil_scoped_release unlocked;
     return value_of(near_joints(model.model(), of_joints, posed, contacts), "near_joints");
   }();
-  Numbers found = new_array<std::int32_t>({near.bodies.size()});
+  Integers found = new_array<std::int32_t>({near.bodies.size()});
   std::copy(near.bodies.begin(), near.bodies.end(), found.mutable_data());
   return {found, array_of_pairs(near.joint_pairs), array_of_pairs(near.joint_pairs_in_zones),
           array_of_zones(near.zones)};
