@@ -7,15 +7,16 @@
 namespace pelt::detail {
 
 Problem find_not_rigid(const float* matrix, std::size_t joint) {
-  const auto axis = [&](int column) {
-    return Vec3d(matrix[4 * column], matrix[4 * column + 1], matrix[4 * column + 2]);
+  const auto axis = [&](std::size_t column) {
+    const float* const m = matrix + 4 * column;
+    return Vec3d(Vec3{m[0], m[1], m[2]});
   };
-  for (int row = 0; row < 3; ++row)
-    for (int column = row; column < 3; ++column) {
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = row; column < 3; ++column) {
       const double error = dot(axis(row), axis(column)) - (row == column ? 1 : 0);
       if (!(std::fabs(error) <= kRigidTolerance))
         return problem(
-            "palette[%zu] is not rigid: A^T A - I has %g at row %d, column %d, expected 0 (dual "
+            "palette[%zu] is not rigid: A^T A - I has %g at row %zu, column %zu, expected 0 (dual "
             "quaternion skinning needs joints without scale and shear)",
             joint, error, row, column);
     }

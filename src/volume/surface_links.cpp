@@ -60,10 +60,10 @@ std::vector<SpreadingStep> spreading_steps(const Surface& surface) {
   };
   std::size_t next = 0;
   for (std::uint32_t start = 0; start < count; ++start) {
-    if (opposite[3 * start] != kNone) reach({start, start});
+    if (opposite[std::size_t{3} * start] != kNone) reach({start, start});
     for (; next < steps.size(); ++next)
       for (std::uint8_t i = 0; i < 3; ++i) {
-        const Edge other = opposite[3 * steps[next].triangle + i];
+        const Edge other = opposite[std::size_t{3} * steps[next].triangle + i];
         reach({other / 3, steps[next].triangle, static_cast<std::uint8_t>(other % 3), i});
       }
   }
