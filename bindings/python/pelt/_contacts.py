@@ -12,6 +12,14 @@ Indices = npt.NDArray[np.int32]
 Flags = npt.NDArray[np.bool_]
 
 
+def rows_of_frame(frames: Indices, frame: int, count: int) -> slice:
+    """Returns the rows of one of `count` frames, where `frames` [N] is ascending. O(log N)."""
+    if not 0 <= frame < count:
+        raise IndexError(f"frame {frame} of {count}")
+    begin, end = np.searchsorted(frames, [frame, frame + 1])
+    return slice(int(begin), int(end))
+
+
 class Contacts:
     """N pairs of triangles in F frames, in coordinate form.
 
@@ -45,10 +53,8 @@ class Contacts:
 
     def in_frame(self, frame: int) -> Indices:
         """Returns the pairs of triangles in one frame [n, 2]. O(log N)."""
-        if not 0 <= frame < self.frames:
-            raise IndexError(f"frame {frame} of {self.frames}")
-        begin, end = np.searchsorted(self.frame, [frame, frame + 1])
-        return np.stack([self.triangle_a[begin:end], self.triangle_b[begin:end]], axis=1)
+        rows = rows_of_frame(self.frame, frame, self.frames)
+        return np.stack([self.triangle_a[rows], self.triangle_b[rows]], axis=1)
 
     @property
     def hash(self) -> str:

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from pelt import _pelt
 from pelt._arrays import Array, floats, number
-from pelt._contacts import Flags, Indices
+from pelt._contacts import Flags, Indices, rows_of_frame
 from pelt._distance import SurfacePoints
 from pelt._model import Model
 from pelt._poses import PosesLike, clip_poses
@@ -108,10 +108,7 @@ class SolidContacts:
 
     def in_frame(self, frame: int) -> Indices:
         """Returns the triangles in one frame [n]. O(log N)."""
-        if not 0 <= frame < self.frames:
-            raise IndexError(f"frame {frame} of {self.frames}")
-        begin, end = np.searchsorted(self.frame, [frame, frame + 1])
-        return self.triangle[begin:end]
+        return self.triangle[rows_of_frame(self.frame, frame, self.frames)]
 
     def __len__(self) -> int:
         return len(self.frame)
