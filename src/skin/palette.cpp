@@ -174,8 +174,8 @@ Result<void> Palette::take_next_duals() {
   return {};
 }
 
-/// Of the two dual quaternions of a motion, takes the one closer to that of a linked joint;
-/// negates_none is then true for most poses.
+/// A motion has two dual quaternions, q and -q. Takes the one closer to that of a linked joint, so
+/// that negates_none is true for most poses.
 void Palette::align_next_duals() {
   for (std::size_t j = 0; j < next_duals_.size(); ++j) {
     const DualQuaternion& linked = next_duals_[aligned_with_[j]];

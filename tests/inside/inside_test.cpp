@@ -3,7 +3,7 @@
 #include "base/vec3.hpp"
 #include "pose/pose.hpp"
 #include "support/allocation_count.hpp"
-#include "support/closed_shapes.hpp"
+#include "support/closed_body.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/values.hpp"
@@ -18,22 +18,6 @@ namespace pelt::test {
 namespace {
 
 using detail::Vec3d;
-
-struct Body {
-  explicit Body(const Shape& s) : shape(s), pose(*build_model(s.view())), surface(pose.model()) {}
-
-  void set(const std::vector<Matrix4>& palette) { ASSERT_TRUE(pose.set_palette(palette)); }
-
-  std::vector<Vec3> posed() const {
-    std::vector<Vec3> positions(shape.rest_positions.size());
-    posed_vertices(pose, positions);
-    return positions;
-  }
-
-  Shape shape;
-  Pose pose;
-  Surface surface;
-};
 
 /// The winding number of the posed surface around a point, by the solid angles of its triangles
 /// (Van Oosterom & Strackee 1983), without rays and predicates.

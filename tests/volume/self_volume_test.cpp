@@ -4,9 +4,9 @@
 #include <pelt/self_collide.hpp>
 #include <pelt/volume.hpp>
 
-#include "closed_body.hpp"
 #include "self_volume_reference.hpp"
 #include "support/allocation_count.hpp"
+#include "support/closed_body.hpp"
 #include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include <pelt/volume.hpp>
 
-#include "closed_body.hpp"
 #include "pose/pose.hpp"
 #include "prism_volume.hpp"
 #include "support/allocation_count.hpp"
+#include "support/closed_body.hpp"
 #include "support/closed_shapes.hpp"
 #include "support/instruction_sets.hpp"
 
