@@ -7,7 +7,7 @@
 
 namespace pelt::detail {
 
-struct SurfaceLinks;
+struct WindingSpread;
 
 /// Adjacency of the triangles of a model. Arrays [T] are indexed by the caller's triangle numbers.
 struct Surface {
@@ -19,9 +19,9 @@ struct Surface {
   std::vector<std::uint32_t> components;  // one triangle of each connected component
   bool is_closed = false;
 
-  // Made by the first query that needs them (volume/surface_links.hpp).
-  mutable std::once_flag links_are_made;
-  mutable std::shared_ptr<const SurfaceLinks> links;
+  // Made by the first query that needs it (volume/winding_spread.hpp).
+  mutable std::once_flag spread_is_made;
+  mutable std::shared_ptr<const WindingSpread> spread;
 };
 
 /// Such triangles have no area in any pose. Closed surfaces ignore them.

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the crossing of two triangles contributes to the flux of w through their surface, where w
-/// is the winding number of the surface in front of it.
+/// Computes the part of the flux of w through a surface that comes from the crossing of two of its
+/// triangles. w is the winding number of the surface in front of it.
 ///
 /// On a triangle (c, d, e), w jumps across the segments in which other triangles cross it. With the
 /// formulas of crossing_flux.hpp, the flux is the sum of

@@ -23,12 +23,12 @@ class SelfFlux {
       : posed_(posed),
         tree_(posed.tree),
         surface_(surface),
-        links_(links_of(surface)),
+        spread_(spread_of(surface)),
         scratch_(scratch),
         work_(work) {}
 
   Rounded run() {
-    work_ += find_self_pairs(posed_, surface_, links_.neighbours, scratch_);
+    work_ += find_self_pairs(posed_, surface_, spread_.neighbours, scratch_);
     origin_ = find_triangle(posed_, first_triangle(), work_).corners[0];
     scratch_.outline_turns.clear();
     TriangleReader reader_a(posed_), reader_b(posed_);
@@ -92,7 +92,7 @@ class SelfFlux {
   void spread() {
     scratch_.fronts.assign(tree_.triangle_count(), 0);
     std::int32_t* const fronts = scratch_.fronts.begin();
-    for (const SpreadingStep& step : links_.steps)
+    for (const SpreadingStep& step : spread_.steps)
       fronts[step.triangle] =
           step.is_first()
               ? front_winding(posed_, surface_, step.triangle, scratch_.nodes, work_)
@@ -119,7 +119,7 @@ class SelfFlux {
   const PosedTree& posed_;
   const Tree& tree_;
   const Surface& surface_;
-  const SurfaceLinks& links_;
+  const WindingSpread& spread_;
   Scratch& scratch_;
   QueryStats& work_;
   Vec3 origin_;

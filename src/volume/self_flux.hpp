@@ -3,7 +3,7 @@
 #include "geometry/exact_number.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
-#include "volume/surface_links.hpp"
+#include "volume/winding_spread.hpp"
 
 namespace pelt::detail {
 

@@ -1,4 +1,4 @@
-#include "volume/surface_links.hpp"
+#include "volume/winding_spread.hpp"
 
 #include <algorithm>
 #include <array>
@@ -72,13 +72,13 @@ std::vector<SpreadingStep> spreading_steps(const Surface& surface) {
 
 }  // namespace
 
-SurfaceLinks::SurfaceLinks(const Surface& surface)
+WindingSpread::WindingSpread(const Surface& surface)
     : neighbours(surface.model, SelfFilterOptions()), steps(spreading_steps(surface)) {}
 
-const SurfaceLinks& links_of(const Surface& surface) {
-  std::call_once(surface.links_are_made,
-                 [&] { surface.links = std::make_shared<const SurfaceLinks>(surface); });
-  return *surface.links;
+const WindingSpread& spread_of(const Surface& surface) {
+  std::call_once(surface.spread_is_made,
+                 [&] { surface.spread = std::make_shared<const WindingSpread>(surface); });
+  return *surface.spread;
 }
 
 }  // namespace pelt::detail

@@ -1,8 +1,9 @@
 #pragma once
 
-/// What does not change between poses of a closed surface, and tells how winding numbers spread
-/// over it. Just in front of the surface, the winding number changes only where the surface crosses
-/// itself. It is therefore the same on both sides of an edge, at each point of the edge.
+/// The order in which winding numbers spread over a closed surface, from triangle to triangle. It
+/// is the same in all poses. Just in front of the surface, the winding number changes only where
+/// the surface crosses itself. It is therefore the same on both sides of an edge, at each point of
+/// the edge.
 
 #include "model/surface.hpp"
 #include "self/self_filter.hpp"
@@ -23,16 +24,16 @@ struct SpreadingStep {
 
 static_assert(sizeof(SpreadingStep) == 12, "stated in pelt/volume.hpp, with those of the filter");
 
-struct SurfaceLinks {
+struct WindingSpread {
   /// Precondition: the surface is closed.
-  explicit SurfaceLinks(const Surface& surface);
+  explicit WindingSpread(const Surface& surface);
 
   SelfFilter neighbours;             ///< leaves out nothing
   std::vector<SpreadingStep> steps;  ///< one for each triangle without repeated vertices
 };
 
-/// Returns the links of a surface. The first call makes them. Can be called from several threads at
+/// Returns the spread of a surface. The first call makes it. Can be called from several threads at
 /// once. Precondition: the surface is closed.
-const SurfaceLinks& links_of(const Surface& surface);
+const WindingSpread& spread_of(const Surface& surface);
 
 }  // namespace pelt::detail
