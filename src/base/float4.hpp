@@ -192,6 +192,17 @@ inline Float4 load4(const float* p) {
   return v;
 }
 
+/// Loads three floats with any alignment; the last lane is zero.
+inline Float4 load3(const float* p) {
+#if defined(__SSE2__) && !defined(PELT_SCALAR)
+  double xy;
+  std::memcpy(&xy, p, sizeof xy);
+  return Float4(Lanes(_mm_movelh_ps(_mm_castpd_ps(_mm_set_sd(xy)), _mm_load_ss(p + 2))));
+#else
+  return {p[0], p[1], p[2], 0};
+#endif
+}
+
 inline void store4(float* p, const Float4& v) { std::memcpy(p, &v.lanes, sizeof v.lanes); }
 
 /// Transposes a 4 x 4 matrix.

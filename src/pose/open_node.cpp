@@ -10,18 +10,21 @@ namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
+Vec3 vector_at(const float* v) { return {v[0], v[1], v[2]}; }
+
 /// Poses the run of vertices with kCount influences that starts at `place`, and returns the end of
 /// the run. A loop over influences of known length needs no branch.
 template <std::uint32_t kCount, typename RestAt>
 std::uint32_t pose_run(const VertexArrays& arrays, const RestAt& rest_at, const Matrix4* palette,
                        std::uint32_t place, std::uint32_t end, float*& out) {
   for (; place < end && arrays.influence_count(place) == kCount; ++place, out += kFloatsPerVertex)
-    store4(out, arrays.pose(rest_at(place, out), place, kCount, palette));
+    store4(out, arrays.pose(vector_at(rest_at(place, out)), place, kCount, palette));
   return place;
 }
 
-/// Poses a pool, which is sorted by number of influences. `rest_at(place, out)` returns the rest
-/// position of a vertex, where `out` is the destination of the posed vertex.
+/// Poses a pool, which is sorted by number of influences. `rest_at(place, out)` returns the three
+/// coordinates of the rest position of a vertex, where `out` is the destination of the posed
+/// vertex.
 template <typename RestAt>
 void pose_linear_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* palette,
                       std::uint32_t place, std::uint32_t end, float* out) {
@@ -31,7 +34,8 @@ void pose_linear_pool(const Tree& tree, const RestAt& rest_at, const Matrix4* pa
   place = pose_run<3>(arrays, rest_at, palette, place, end, out);
   place = pose_run<4>(arrays, rest_at, palette, place, end, out);
   for (; place < end; ++place, out += kFloatsPerVertex)
-    store4(out, arrays.pose(rest_at(place, out), place, arrays.influence_count(place), palette));
+    store4(out, arrays.pose(vector_at(rest_at(place, out)), place, arrays.influence_count(place),
+                            palette));
 }
 
 template <typename RestAt>
@@ -46,18 +50,13 @@ void pose_pool(const PosedTree& posed, const Node& node, const RestAt& rest_at, 
 void pose_node(const PosedTree& posed, const Node& node, float* out) {
   const Vec3* rest = posed.tree.rest_positions.data();
   pose_pool(
-      posed, node, [=](std::uint32_t place, const float*) -> const Vec3& { return rest[place]; },
-      out);
+      posed, node, [=](std::size_t place, const float*) { return &rest[place].x; }, out);
 }
 
 /// Poses a pool from the displaced rest positions that `morph_pool` has written to `out`.
 void pose_morphed_node(const PosedTree& posed, const Node& node, float* out) {
   pose_pool(
-      posed, node,
-      [](std::uint32_t, const float* rest) {
-        return Vec3{rest[0], rest[1], rest[2]};
-      },
-      out);
+      posed, node, [](std::size_t, const float* rest) { return rest; }, out);
 }
 
 /// Adds offsets to a posed pool. Returns how many of them were clamped.

@@ -3,6 +3,7 @@
 #include "model/tree.hpp"
 #include "skin/skin.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace pelt::detail {
@@ -16,12 +17,12 @@ struct VertexArrays {
         joints(tree.joints.data()),
         weights(tree.weights.data()) {}
 
-  std::uint32_t influence_count(std::uint32_t place) const {
+  std::uint32_t influence_count(std::size_t place) const {
     return influence_begin[place + 1] - influence_begin[place];
   }
 
   /// Returns the influences of the vertex at `place` as a function of their number.
-  [[gnu::always_inline]] auto influences(std::uint32_t place) const {
+  [[gnu::always_inline]] auto influences(std::size_t place) const {
     const std::uint16_t* joint = joints + influence_begin[place];
     const float* weight = weights + influence_begin[place];
     return [=](std::uint32_t i) { return Influence{joint[i], weight[i]}; };

@@ -26,6 +26,7 @@ TEST(Float4, WorksLaneByLane) {
 TEST(Float4, LoadsFromAnyAddress) {
   const float values[] = {0, 1, 2, 3, 4, 5};
   expect_lanes(load4(values + 1), 1, 2, 3, 4);
+  expect_lanes(load3(values + 2), 2, 3, 4, 0);
 }
 
 }  // namespace
