@@ -78,6 +78,24 @@ TEST(OrderedWork, PassesExceptionsOn) {
   EXPECT_THROW((void)OrderedWork<std::size_t>(100, 3, compute, use).run(), std::runtime_error);
 }
 
+TEST(OrderedWork, PreparesItemsInOrder) {
+  for (const std::uint32_t threads : {1u, 2u, 7u}) {
+    std::size_t next = 0, used = 0;
+    const auto prepare = [&](std::size_t& item) { item = next++; };
+    const auto compute = [](std::uint32_t, std::size_t index, std::size_t& item) -> Result<void> {
+      if (item == index) return {};
+      return Error{ErrorCode::invalid_argument, "item " + std::to_string(item)};
+    };
+    const auto use = [&](std::size_t& item) -> Result<void> {
+      used += item;
+      return {};
+    };
+    EXPECT_TRUE(OrderedWork<std::size_t>(50, threads, compute, use, prepare).run());
+    EXPECT_EQ(next, 50u);
+    EXPECT_EQ(used, 50u * 49 / 2);
+  }
+}
+
 TEST(OrderedWork, DoesNothingWithoutItems) {
   const auto compute = [](std::uint32_t, std::size_t, std::size_t&) -> Result<void> {
     return Error{ErrorCode::invalid_argument, "none"};

@@ -59,6 +59,8 @@ class MergeTests(unittest.TestCase):
             self.random.shuffle(files)
             with self.subTest(case=case, files=files, seed=SEED):
                 self.assertEqual(self.merged(files, *extra), expected)
+                threads = self.random.choice("1237")
+                self.assertEqual(self.merged(files, *extra, "--threads", threads), expected)
         self.assertGreaterEqual(in_contact, 14)
 
     def test_the_verdict_is_that_of_the_merged_answer(self):

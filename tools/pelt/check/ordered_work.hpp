@@ -27,10 +27,16 @@ class OrderedWork {
   /// Uses an item. Calls follow one another in the order of items, on any thread.
   using Use = std::function<Result<void>(Item& item)>;
 
+  /// Prepares an item that is computed next. Calls follow one another in the order of items, on any
+  /// thread, so they can read from one file.
+  using Prepare = std::function<void(Item& item)>;
+
   /// At most four items per thread are in memory at a time.
-  OrderedWork(std::size_t count, std::uint32_t threads, Compute compute, Use use)
+  OrderedWork(std::size_t count, std::uint32_t threads, Compute compute, Use use,
+              Prepare prepare = {})
       : count_(count),
         threads_(threads),
+        prepare_(std::move(prepare)),
         compute_(std::move(compute)),
         use_(std::move(use)),
         slots_(std::size_t{4} * threads) {}
@@ -75,13 +81,14 @@ class OrderedWork {
     guard.is_armed = false;
   }
 
-  /// Waits until the slot of the next item is free. Nullopt if no items are left.
+  /// Waits until the slot of the next item is free, and prepares it. Nullopt if no items are left.
   std::optional<std::size_t> claim() {
     std::unique_lock lock(mutex_);
     has_space_.wait(lock, [this] {
       return is_ended_ || claimed_ == count_ || claimed_ < used_ + slots_.size();
     });
     if (is_ended_ || claimed_ == count_) return std::nullopt;
+    if (prepare_) prepare_(slot_of(claimed_).item);
     return claimed_++;
   }
 
@@ -107,6 +114,7 @@ class OrderedWork {
 
   std::size_t count_;
   std::uint32_t threads_;
+  Prepare prepare_;
   Compute compute_;
   Use use_;
   std::mutex mutex_;  // protects the members below, except items while they are computed or used

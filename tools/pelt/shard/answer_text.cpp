@@ -289,18 +289,21 @@ std::string answer_text(const FrameAnswer& answer) {
   return text + '\n';
 }
 
-Result<FrameAnswer> read_answer(std::istream& in, const Expected& expected) {
-  std::string values, line, contacts;
+bool read_lines(std::istream& in, AnswerLines& lines) {
+  return list::read_line(in, lines.values) && list::read_line(in, lines.line) &&
+         list::read_line(in, lines.contacts);
+}
+
+Result<FrameAnswer> read_answer(AnswerLines& lines, const Expected& expected) {
   const auto bad = [](const char* what) {
     return asset::malformed(std::string("bad value of ") + what);
   };
-  if (!list::read_line(in, values) || !list::read_line(in, line) || !list::read_line(in, contacts))
-    return asset::malformed("is missing");
-  const Result<asset::ParsedJson> parsed = asset::parse_json(values);
+  const Result<asset::ParsedJson> parsed = asset::parse_json(lines.values);
   if (!parsed) return parsed.error();
   FrameAnswer answer;
-  answer.line = std::move(line);
-  if (!read_contacts(contacts, expected.staged.colliders, answer.found)) return bad("contacts");
+  answer.line = std::move(lines.line);
+  if (!read_contacts(lines.contacts, expected.staged.colliders, answer.found))
+    return bad("contacts");
   const char* const key = read_values(**parsed, expected, answer);
   if (key != nullptr) return bad(key);
   return answer;

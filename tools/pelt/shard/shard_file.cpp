@@ -3,6 +3,7 @@
 #include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "scenes/takes.hpp"
+#include "tools/pelt/check/ordered_work.hpp"
 #include "tools/pelt/list/scene_entry.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
@@ -112,6 +113,18 @@ std::optional<std::uint32_t> step_from(const scenes::Scene& scene,
   return from;
 }
 
+/// An answer of a file.
+struct Replayed {
+  AnswerLines lines;
+  bool is_there = false;  // otherwise the file has ended
+  check::FrameAnswer answer;
+
+  Result<check::FrameAnswer> read(const Expected& expected) {
+    if (!is_there) return asset::malformed("is missing");
+    return read_answer(lines, expected);
+  }
+};
+
 /// Nullopt if the file has no whole answer of a scene at this place.
 std::optional<list::SceneAnswer> read_scene(std::istream& in) {
   list::SceneAnswer answer;
@@ -192,16 +205,26 @@ Result<void> Shards::replay(
     const scene::StagedScene& staged, const check::CheckSettings& settings,
     const std::function<Result<void>(const check::FrameAnswer& answer)>& use) const {
   const std::vector<std::uint32_t> frames = settings.frames.frames();
+  const std::uint32_t threads =
+      settings.threads == 0 ? detail::Workers::available() : settings.threads;
   return each_shard([&](const std::string& path, Shard shard, std::istream& in) -> Result<void> {
-    for (std::size_t i = shard.begin_of(frames.size()); i < shard.end_of(frames.size()); ++i) {
+    const std::size_t begin = shard.begin_of(frames.size()), end = shard.end_of(frames.size());
+    const auto read_next = [&](Replayed& next) { next.is_there = read_lines(in, next.lines); };
+    const auto read = [&](std::uint32_t, std::size_t index, Replayed& next) -> Result<void> {
+      const std::size_t i = begin + index;
       const auto from = step_from(staged.scene, frames, i, settings.substeps.has_value());
-      const auto answer = read_answer(in, {staged, frames[i], from});
+      auto answer = next.read({staged, frames[i], from});
       if (!answer)
         return incomplete(
             path, shard,
             ("frame " + std::to_string(frames[i]) + ": " + answer.error().message).c_str());
-      if (const auto used = use(*answer); !used) return used;
-    }
+      next.answer = std::move(*answer);
+      return {};
+    };
+    const auto pass_on = [&](const Replayed& next) { return use(next.answer); };
+    const auto replayed =
+        check::OrderedWork<Replayed>(end - begin, threads, read, pass_on, read_next).run();
+    if (!replayed) return replayed;
     std::string last, next;
     if (!read_line(in, last) || read_line(in, next))
       return incomplete(path, shard, "has more frames than the shard");

@@ -49,8 +49,8 @@ class Shards {
   /// Returns an error if the inputs are no longer those of the shards.
   Result<void> check_inputs(const scenes::Scene& scene) const;
 
-  /// Passes the answers of all frames to `use`, in order. Keeps one answer in memory. Error
-  /// messages name the file.
+  /// Passes the answers of all frames to `use`, in order. Reads them on `settings.threads` threads,
+  /// and keeps at most four answers per thread in memory. Error messages name the file.
   Result<void> replay(
       const scene::StagedScene& staged, const check::CheckSettings& settings,
       const std::function<Result<void>(const check::FrameAnswer& answer)>& use) const;

@@ -30,10 +30,10 @@ no --html and no --glb.)";
 
 struct Arguments {
   std::vector<std::string> files;
-  check::CheckArguments outcome;  ///< only the options of the verdict and the outputs
+  check::CheckArguments outcome;  ///< only the options of the verdict, the outputs and --threads
 };
 
-/// The arguments of the shards, with the options of the verdict and the outputs.
+/// The arguments of the shards, with those of the outcome.
 check::CheckArguments with_outcome(check::CheckArguments of_shards,
                                    const check::CheckArguments& outcome) {
   of_shards.baseline = outcome.baseline;
@@ -45,6 +45,7 @@ check::CheckArguments with_outcome(check::CheckArguments of_shards,
   of_shards.glb = outcome.glb;
   of_shards.glb_frame = outcome.glb_frame;
   of_shards.words = outcome.words;
+  of_shards.threads = outcome.threads;
   return of_shards;
 }
 
@@ -99,6 +100,9 @@ void add_merge(CLI::App& app, arguments::Command& chosen, methods::MethodKinds k
               {.type = "FILE", .is_required = true});
   check::add_verdict_options(verb, arguments->outcome);
   check::add_picture_options(verb, arguments->outcome);
+  verb.option("--threads", arguments->outcome.threads,
+              "Read the answers on N threads (default: one per core)",
+              {.type = "N", .least = 1, .most = 1024});
   verb.tells(arguments->outcome.words);
   verb.runs([arguments, known_methods] { return merge(*arguments, known_methods); }, chosen);
 }
