@@ -102,27 +102,78 @@ Result<void> check_indices(std::span<const Opened> shards) {
       "shard " + name + " is missing: write it with --shard " + name + ", or give its file, too"};
 }
 
-/// The frame that the step to a frame starts from, if any.
-std::optional<std::uint32_t> step_from(const scenes::Scene& scene,
-                                       std::span<const std::uint32_t> frames, std::size_t index,
-                                       bool asks_between) {
-  if (!asks_between || index == 0) return std::nullopt;
-  const std::uint32_t from = frames[index - 1];
-  if (scenes::take_index(scene, from) != scenes::take_index(scene, frames[index]))
-    return std::nullopt;
-  return from;
-}
+/// What the answers of a check must belong to.
+struct ExpectedFrames {
+  const scene::StagedScene& staged;
+  std::vector<std::uint32_t> frames;
+  bool has_steps;
 
-/// An answer of a file.
-struct Replayed {
-  AnswerLines lines;
-  bool is_there = false;  // otherwise the file has ended
-  check::FrameAnswer answer;
-
-  Result<check::FrameAnswer> read(const Expected& expected) {
-    if (!is_there) return asset::malformed("is missing");
-    return read_answer(lines, expected);
+  Expected at(std::size_t index) const {
+    return {staged, frames[index], has_steps ? step_from(index) : std::nullopt};
   }
+
+ private:
+  /// The frame that the step to a frame starts from, if any.
+  std::optional<std::uint32_t> step_from(std::size_t index) const {
+    if (index == 0) return std::nullopt;
+    const std::uint32_t from = frames[index - 1];
+    if (take_of(from) != take_of(frames[index])) return std::nullopt;
+    return from;
+  }
+
+  std::uint32_t take_of(std::uint32_t frame) const {
+    return scenes::take_index(staged.scene, frame);
+  }
+};
+
+/// The answers of the frames of a shard.
+class ShardAnswers {
+ public:
+  struct Item {
+    AnswerLines lines;
+    bool is_there = false;  // otherwise the file has ended
+    check::FrameAnswer answer;
+  };
+
+  ShardAnswers(const std::string& path, const Shard& shard, std::istream& in,
+               const ExpectedFrames& expected)
+      : path_(path), shard_(shard), in_(in), expected_(expected) {}
+
+  /// Passes the answers to `use`, in order.
+  Result<void> replay(std::uint32_t threads, const check::UseAnswer& use) const {
+    const std::size_t begin = shard_.begin_of(expected_.frames.size());
+    const std::size_t end = shard_.end_of(expected_.frames.size());
+    const auto read_next = [this](Item& next) { next.is_there = read_lines(in_, next.lines); };
+    const auto interpret = [&](std::uint32_t, std::size_t index, Item& item) {
+      return this->interpret(expected_.at(begin + index), item);
+    };
+    const auto pass_on = [&](const Item& item) { return use(item.answer); };
+    check::OrderedWork<Item> work(end - begin, threads, interpret, pass_on, read_next);
+    if (const auto done = work.run(); !done) return done;
+    std::string last, next;
+    if (!read_line(in_, last) || read_line(in_, next))
+      return incomplete(path_, shard_, "has more frames than the shard");
+    return {};
+  }
+
+ private:
+  Result<void> interpret(const Expected& expected, Item& item) const {
+    if (!item.is_there) return bad_frame(expected, "is missing");
+    Result<check::FrameAnswer> answer = read_answer(item.lines, expected);
+    if (!answer) return bad_frame(expected, answer.error().message);
+    item.answer = std::move(*answer);
+    return {};
+  }
+
+  Error bad_frame(const Expected& expected, const std::string& problem) const {
+    const std::string message = "frame " + std::to_string(expected.frame) + ": " + problem;
+    return incomplete(path_, shard_, message.c_str());
+  }
+
+  const std::string& path_;
+  const Shard& shard_;
+  std::istream& in_;
+  const ExpectedFrames& expected_;
 };
 
 /// Nullopt if the file has no whole answer of a scene at this place.
@@ -201,49 +252,29 @@ Result<void> Shards::each_shard(const ReadShard& read) const {
   return {};
 }
 
-Result<void> Shards::replay(
-    const scene::StagedScene& staged, const check::CheckSettings& settings,
-    const std::function<Result<void>(const check::FrameAnswer& answer)>& use) const {
-  const std::vector<std::uint32_t> frames = settings.frames.frames();
+Result<void> Shards::replay(const scene::StagedScene& staged, const check::CheckSettings& settings,
+                            const check::UseAnswer& use) const {
+  const ExpectedFrames expected = {staged, settings.frames.frames(), settings.substeps.has_value()};
   const std::uint32_t threads =
       settings.threads == 0 ? detail::Workers::available() : settings.threads;
-  return each_shard([&](const std::string& path, Shard shard, std::istream& in) -> Result<void> {
-    const std::size_t begin = shard.begin_of(frames.size()), end = shard.end_of(frames.size());
-    const auto read_next = [&](Replayed& next) { next.is_there = read_lines(in, next.lines); };
-    const auto read = [&](std::uint32_t, std::size_t index, Replayed& next) -> Result<void> {
-      const std::size_t i = begin + index;
-      const auto from = step_from(staged.scene, frames, i, settings.substeps.has_value());
-      auto answer = next.read({staged, frames[i], from});
-      if (!answer)
-        return incomplete(
-            path, shard,
-            ("frame " + std::to_string(frames[i]) + ": " + answer.error().message).c_str());
-      next.answer = std::move(*answer);
-      return {};
-    };
-    const auto pass_on = [&](const Replayed& next) { return use(next.answer); };
-    const auto replayed =
-        check::OrderedWork<Replayed>(end - begin, threads, read, pass_on, read_next).run();
-    if (!replayed) return replayed;
-    std::string last, next;
-    if (!read_line(in, last) || read_line(in, next))
-      return incomplete(path, shard, "has more frames than the shard");
-    return {};
+  return each_shard([&](const std::string& path, const Shard& shard, std::istream& in) {
+    return ShardAnswers(path, shard, in, expected).replay(threads, use);
   });
 }
 
 Result<void> Shards::replay_scenes(const list::UseScene& use) const {
-  return each_shard([&](const std::string& path, Shard shard, std::istream& in) -> Result<void> {
-    for (std::size_t i = shard.begin_of(scenes()); i < shard.end_of(scenes()); ++i) {
-      const std::optional<list::SceneAnswer> answer = read_scene(in);
-      if (!answer) return incomplete(path, shard, "lacks a scene");
-      if (const auto used = use(*answer); !used) return used;
-    }
-    std::string last, next;
-    if (!read_line(in, last)) return incomplete(path, shard, "lacks a line of a scene");
-    if (read_line(in, next)) return incomplete(path, shard, "has more scenes than the shard");
-    return {};
-  });
+  return each_shard(
+      [&](const std::string& path, const Shard& shard, std::istream& in) -> Result<void> {
+        for (std::size_t i = shard.begin_of(scenes()); i < shard.end_of(scenes()); ++i) {
+          const std::optional<list::SceneAnswer> answer = read_scene(in);
+          if (!answer) return incomplete(path, shard, "lacks a scene");
+          if (const auto used = use(*answer); !used) return used;
+        }
+        std::string last, next;
+        if (!read_line(in, last)) return incomplete(path, shard, "lacks a line of a scene");
+        if (read_line(in, next)) return incomplete(path, shard, "has more scenes than the shard");
+        return {};
+      });
 }
 
 }  // namespace pelt::tools::shard

@@ -4,7 +4,7 @@
 /// that shows that the file is complete. docs/pelt.1 describes the keys.
 
 #include "base/hash.hpp"
-#include "tools/pelt/check/check_record.hpp"
+#include "tools/pelt/check/check_run.hpp"
 #include "tools/pelt/list/list_query.hpp"
 #include "tools/pelt/shard/shard_header.hpp"
 
@@ -51,9 +51,8 @@ class Shards {
 
   /// Passes the answers of all frames to `use`, in order. Reads them on `settings.threads` threads,
   /// and keeps at most four answers per thread in memory. Error messages name the file.
-  Result<void> replay(
-      const scene::StagedScene& staged, const check::CheckSettings& settings,
-      const std::function<Result<void>(const check::FrameAnswer& answer)>& use) const;
+  Result<void> replay(const scene::StagedScene& staged, const check::CheckSettings& settings,
+                      const check::UseAnswer& use) const;
 
   bool is_of_list() const { return !arguments_.scenes.empty(); }
 
@@ -65,7 +64,8 @@ class Shards {
   Result<void> replay_scenes(const list::UseScene& use) const;
 
  private:
-  using ReadShard = std::function<Result<void>(const std::string& path, Shard, std::istream&)>;
+  using ReadShard =
+      std::function<Result<void>(const std::string& path, const Shard& shard, std::istream& in)>;
 
   /// Opens the files of all shards in order, and passes each behind its header to `read`.
   Result<void> each_shard(const ReadShard& read) const;
