@@ -85,6 +85,20 @@ class Crowds(Case):
         self.assertEqual(rows_of(pelt.collide_crowd(crowd)), expected)
         self.assertEqual({row[0] for row in expected}, {0, 1, 2})
 
+    def test_offsets(self):
+        random = np.random.default_rng(11)
+        capped = pelt.Model(*box(), offset_caps=np.full(8, 0.5))
+        touching = 0
+        for _ in range(20):
+            crowd = [(capped, pelt.Poses(moved(*random.uniform(-1, 1, (frames, 3))),
+                                         offsets=random.uniform(-0.5, 0.5, (frames, 8, 3))))
+                     for frames in (3, 1, 3, 3)]
+            crowd.append((capped, moved(*random.uniform(-1, 1, (3, 3)))))
+            expected = by_pairs(crowd)
+            touching += len({row[:3] for row in expected})
+            self.assertEqual(rows_of(pelt.collide_crowd(crowd)), expected)
+        self.assertGreater(touching, 100)
+
     def test_pairs(self):
         crowd = dancers(6, 3, 8)
         pairs = [[1, 0], [2, 3], [0, 1], [0, 5]]
@@ -150,8 +164,9 @@ class Refused(Case):
             with self.subTest(message):
                 self.refuses(message, pelt.collide_crowd, characters, **options)
         capped = pelt.Model(*box(), offset_caps=np.ones(8))
-        offset = pelt.Poses(still, offsets=np.zeros((1, 8, 3)))
-        self.refuses("a crowd takes no offsets", pelt.collide_crowd, [(capped, offset)])
+        offset = pelt.Poses(still, offsets=np.full((1, 8, 3), 2))
+        self.refuses(r"characters\[0\], poses: the offsets of 8 vertices .* beyond the caps",
+                     pelt.collide_crowd, [(capped, offset)])
         for characters in ([model], [(model, still, 1)], [(still, model)], 3):
             with self.assertRaises(TypeError):
                 pelt.collide_crowd(characters)

@@ -135,7 +135,6 @@ void ClipPoses::read_vertices(std::size_t frame, Memory& memory) const {
 }
 
 void ClipPoses::set(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const {
-  if (offsets_) throw ArgumentError(name_ + ": a crowd takes no offsets (give pelt.Vertices)");
   if (vertices_) {
     read_vertices(frame, memory);
     return check(crowd.set_vertices(instance, memory.vertices), place(frame));
@@ -147,9 +146,19 @@ void ClipPoses::set(Crowd& crowd, std::uint32_t instance, std::size_t frame, Mem
     check(crowd.set_morph_weights(instance, memory.morph_weights), place(frame));
   }
   check(crowd.set_palette(instance, memory.palette), place(frame));
-  if (!morph_weights_) return;
-  morph_weights_->copy(frame, memory.morph_weights.data());
-  check(crowd.set_morph_weights(instance, memory.morph_weights), place(frame));
+  if (morph_weights_) {
+    morph_weights_->copy(frame, memory.morph_weights.data());
+    check(crowd.set_morph_weights(instance, memory.morph_weights), place(frame));
+  }
+  if (offsets_) set_offsets(crowd, instance, frame, memory);
+}
+
+/// A pose checks the offsets, because a crowd does not tell which of them it clamps.
+void ClipPoses::set_offsets(Crowd& crowd, std::uint32_t instance, std::size_t frame,
+                            Memory& memory) const {
+  if (!memory.checked) memory.checked.emplace(model());
+  set_offsets(*memory.checked, frame, memory);
+  check(crowd.set_offsets(instance, memory.offsets), place(frame));
 }
 
 Pose& FramePose::at(std::size_t frame) {

@@ -47,15 +47,16 @@ class ClipPoses {
     std::vector<Matrix4> palette;
     std::vector<float> morph_weights;
     std::vector<Vec3> vertices;
-    std::vector<Vec3> offsets;  // borrowed by the pose
+    std::vector<Vec3> offsets;    // borrowed by the pose or the instance
+    std::optional<Pose> checked;  // of an instance with offsets
   };
 
   /// Sets the pose to a frame. Throws an error with the name and the frame if an element is
   /// invalid. `memory` must outlive the queries of the pose.
   void set(Pose& pose, std::size_t frame, Memory& memory) const;
 
-  /// Sets an instance of a crowd to a frame. Throws like `set` of a pose, and if there are offsets,
-  /// which a crowd would borrow.
+  /// Sets an instance of a crowd to a frame. Throws like `set` of a pose. `memory` belongs to the
+  /// instance and must outlive the queries of the crowd.
   void set(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const;
 
  private:
@@ -69,6 +70,7 @@ class ClipPoses {
   void check_last_row(const float* row, std::size_t frame, std::size_t joint) const;
   void set_morph_weights(Pose& pose, std::size_t frame, Memory& memory) const;
   void set_offsets(Pose& pose, std::size_t frame, Memory& memory) const;
+  void set_offsets(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const;
   void set_vertices(Pose& pose, std::size_t frame, Memory& memory) const;
 
   PythonModel model_;

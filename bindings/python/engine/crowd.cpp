@@ -41,7 +41,7 @@ std::size_t common_frame_count(const Clips& clips) {
 /// The crowd of one thread.
 class FrameCrowd {
  public:
-  explicit FrameCrowd(const Clips& clips) : clips_(clips) {
+  explicit FrameCrowd(const Clips& clips) : clips_(clips), memories_(clips.size()) {
     for (const ClipPoses& clip : clips) crowd_.add(clip.model());
   }
 
@@ -49,7 +49,7 @@ class FrameCrowd {
   Crowd& at(std::size_t frame) {
     for (std::uint32_t i = 0; i < clips_.size(); ++i)
       if (is_first_ || clips_[i].frame_count() > 1)
-        clips_[i].set(crowd_, i, clips_[i].frame_count() == 1 ? 0 : frame, memory_);
+        clips_[i].set(crowd_, i, clips_[i].frame_count() == 1 ? 0 : frame, memories_[i]);
     is_first_ = false;
     return crowd_;
   }
@@ -57,7 +57,7 @@ class FrameCrowd {
  private:
   const Clips& clips_;
   Crowd crowd_;
-  ClipPoses::Memory memory_;
+  std::vector<ClipPoses::Memory> memories_;  // by character
   bool is_first_ = true;
 };
 

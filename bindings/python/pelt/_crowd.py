@@ -72,8 +72,8 @@ def collide_crowd(characters: Sequence[Tuple[Model, PosesLike]], *, pairs: Optio
     """Returns every pair of intersecting triangles of many characters, in each frame.
 
     characters:    (model, poses) of each character, in one frame of reference. Poses are palettes
-                   [F, J, 4, 4] or [F, J, 3, 4], `Poses` without offsets, or `Vertices`; all have F frames,
-                   or one. Characters can share a model.
+                   [F, J, 4, 4] or [F, J, 3, 4], `Poses`, or `Vertices`; all have F frames, or one.
+                   Characters can share a model.
     pairs:         [n, 2] pairs of characters to test. Default: all.
     self_filters:  for each character the `SelfFilter` with which it is tested against itself, or None
                    for characters that are not. Default: none is.
