@@ -9,16 +9,17 @@
 namespace pelt::detail {
 namespace {
 
-/// Returns the surface vertices of all corners, and marks those that are split into vertices with
-/// different influences.
+/// Returns the surface vertices of all corners, and marks those that are split into several
+/// vertices of the caller, which can move apart: they have different influences, or are not welded
+/// because the caller gives them positions or offsets of their own.
 std::vector<std::array<std::uint32_t, 3>> surface_corners(const Tree& tree,
                                                           std::vector<bool>& is_split) {
   const SkinnedMesh vertices = unpack_vertices(tree);
   const std::vector<std::uint32_t> surface = weld_surface(vertices);
-  const std::vector<std::uint32_t> welded = weld_vertices(vertices);
+  const std::vector<std::uint32_t>& callers = tree.place_vertices;
   is_split.assign(surface.size(), false);
   for (std::size_t place = 0; place < surface.size(); ++place)
-    if (welded[place] != welded[surface[place]]) is_split[surface[place]] = true;
+    if (callers[place] != callers[surface[place]]) is_split[surface[place]] = true;
 
   std::vector<std::array<std::uint32_t, 3>> corners(tree.corners.size());
   for (const Node& node : tree.nodes)

@@ -19,7 +19,7 @@ enum class FanKind : std::uint8_t {
   closed,   ///< a cycle: each triangle shares an edge with the next, the last with the first
   open,     ///< a chain
   complex,  ///< anything else, or more than kMaxFan triangles
-  cracked,  ///< a corner of the triangles is split into vertices with different influences
+  cracked,  ///< a corner of the triangles is split into vertices that can move apart
 };
 
 /// Whether fans of this kind can be certified (flat_fans.hpp).

@@ -12,8 +12,8 @@ namespace pelt::detail {
 namespace {
 
 /// Self-collision leaves out pairs of triangles that touch only at surface vertices that they
-/// share. If a surface vertex is split into vertices with different influences, triangles with
-/// different ones of these share it only because they are in the same position now.
+/// share. If a surface vertex is split into vertices that can move apart, triangles with different
+/// ones of these share it only because they are in the same position now.
 class PairsAtCracks {
  public:
   PairsAtCracks(const PosedTree& posed, const Surface& surface, const Fans& fans,

@@ -19,8 +19,8 @@ using Step = pelt::Motion;
 
 /// A character at both ends of a step.
 struct Body {
-  explicit Body(Shape s)
-      : shape(std::move(s)), from(*build_model(shape.view())), to(from.model()) {}
+  explicit Body(Shape s, const ModelOptions& how = {})
+      : shape(std::move(s)), from(*build_model(shape.view(), how)), to(from.model()) {}
 
   Step step() { return {from, to}; }
 

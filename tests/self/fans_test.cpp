@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 #include <set>
 #include <vector>
 
@@ -21,20 +22,21 @@ using detail::kMaxFan;
 
 /// A shape with its fans, and what brute force says about them.
 struct Fanned {
-  explicit Fanned(const Shape& s)
+  explicit Fanned(const Shape& s, bool weld = true)
       : shape(s),
-        model(*build_model(shape.view())),
+        model(*build_model(shape.view(), {.weld = weld})),
         fans(model.detail().tree),
         surface(surface_vertices(shape)),
-        is_cracked(cracked_vertices()) {}
+        is_cracked(cracked_vertices(weld)) {}
 
   const Triangle& triangle_at(std::uint32_t place) const {
     return shape.triangles[model.detail().tree.triangle_ids[place]];
   }
 
-  /// Surface vertices whose vertices have different influences.
-  std::set<std::uint32_t> cracked_vertices() const {
-    const std::vector<std::uint32_t> welded = detail::weld_vertices(mesh_of(shape));
+  /// Surface vertices whose vertices have different influences, or are not welded.
+  std::set<std::uint32_t> cracked_vertices(bool weld) const {
+    std::vector<std::uint32_t> welded = detail::weld_vertices(mesh_of(shape));
+    if (!weld) std::iota(welded.begin(), welded.end(), 0u);
     std::map<std::uint32_t, std::uint32_t> first;
     std::set<std::uint32_t> cracked;
     std::vector<bool> is_used(welded.size(), false);
@@ -140,8 +142,8 @@ void expect_runs(const detail::Fans& fans) {
 constexpr std::size_t kFanKinds = 4;
 
 /// Checks all fans. Returns the number of each kind.
-std::array<std::size_t, kFanKinds> expect_fans(const Shape& shape) {
-  const Fanned fanned(shape);
+std::array<std::size_t, kFanKinds> expect_fans(const Shape& shape, bool weld = true) {
+  const Fanned fanned(shape, weld);
   expect_partition(fanned);
   expect_runs(fanned.fans);
   std::array<std::size_t, kFanKinds> counts{};
@@ -200,6 +202,16 @@ TEST(Fans, OfSplitAndCrackedLimbs) {
     EXPECT_EQ(counts[kCracked] > 0, cracked > 0);
     EXPECT_EQ(counts[kClosed] > 50, cracked < 0.5);
   }
+}
+
+TEST(Fans, OfVerticesThatAreNotWelded) {
+  Random random(1728);
+  Shape shape = make_limb(20, 9, 4);
+  split_corners(random, shape, 0.02, 0);
+  EXPECT_EQ(expect_fans(shape)[kCracked], 0u);
+  const auto counts = expect_fans(shape, false);
+  EXPECT_GT(counts[kCracked], 20u);
+  EXPECT_GT(counts[kClosed], 20u);
 }
 
 TEST(Fans, OfSoupsWithAllKinds) {

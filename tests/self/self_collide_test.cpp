@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace pelt::test {
 namespace {
@@ -124,6 +125,60 @@ TEST(SelfCollide, EdgesWithZerosOfBothSignsAreShared) {
   shape.rest_positions[3].x = shape.rest_positions[4].x = 1e-6F;
   Body across(shape);
   EXPECT_EQ(self_contacts_of(across.pose, across.filter, across.scratch).size(), 1u);
+}
+
+/// A limb whose corners are split into vertices with equal influences, some of which move apart.
+struct SplitLimb {
+  explicit SplitLimb(Random& random) : shape(make_limb(6, 6, 2)) {
+    split_corners(random, shape, 0.1, 0);
+    for (const Vec3& rest : shape.rest_positions) {
+      const auto coordinate = [&] { return static_cast<float>(random.index(4)); };
+      const bool moves = random.chance(0.5);
+      positions.push_back(moves ? Vec3{coordinate(), coordinate(), coordinate()} : rest);
+    }
+  }
+
+  Shape shape;
+  std::vector<Vec3> positions;
+};
+
+/// Returns the number of contacts.
+std::size_t expect_brute_force(const Shape& shape, Pose& pose) {
+  const auto expected = brute_force_self(shape, pose);
+  Scratch scratch;
+  EXPECT_EQ(self_contacts_of(pose, *build_self_filter(pose.model()), scratch), expected);
+  return expected.size();
+}
+
+TEST(SelfCollide, EqualsBruteForceWhereVerticesThatAreNotWeldedMoveApart) {
+  Random random(906);
+  std::size_t contacts = 0, apart = 0;
+  for (int round = 0; round < 60; ++round) {
+    const SplitLimb limb(random);
+    apart += !Pose(*build_model(limb.shape.view())).set_vertices(limb.positions);
+    Pose pose(*build_model(limb.shape.view(), {.weld = false}));
+    ASSERT_TRUE(pose.set_vertices(limb.positions));
+    contacts += expect_brute_force(limb.shape, pose);
+  }
+  std::printf("seed 906: %zu contacts, %zu limbs that do not fit welded models\n", contacts, apart);
+  EXPECT_GT(contacts, 1000u);
+  EXPECT_GT(apart, 50u);
+}
+
+TEST(SelfCollide, EqualsBruteForceWhereOffsetsMoveVerticesApart) {
+  Random random(907);
+  std::size_t contacts = 0;
+  for (int round = 0; round < 60; ++round) {
+    const SplitLimb limb(random);
+    const std::vector<float> caps(limb.positions.size(), 4);
+    SkinnedMeshView view = limb.shape.view();
+    view.offset_caps = caps;
+    Pose pose(*build_model(view));
+    ASSERT_TRUE(pose.set_offsets(limb.positions));
+    contacts += expect_brute_force(limb.shape, pose);
+  }
+  std::printf("seed 907: %zu contacts\n", contacts);
+  EXPECT_GT(contacts, 1000u);
 }
 
 /// Bodies with contacts of neighbours and of others, some of which a filter leaves out.
