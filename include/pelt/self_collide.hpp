@@ -167,6 +167,10 @@ PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
 ///   are not shared lie strictly on the same side of the shared edge.
 /// - 3: always, because the triangles are duplicates.
 ///
+/// Equal corners of a triangle count as one. In a triangle with the corners p, p and q, the edge
+/// opposite p is therefore the point q. Two triangles are duplicates if both have no corner that
+/// the other does not share.
+///
 /// The answer is exact with respect to the float32 posed vertices (see `posed_vertices`). A
 /// triangle that has collapsed to a segment or a point is treated as that segment or point.
 ///
