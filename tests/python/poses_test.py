@@ -53,6 +53,15 @@ class GivenVertices(Case):
         self.refuses(r"poses: expected the shape \[F, 8, 3\], found \[2, 7, 3\]",
                      pelt.posed_vertices, cube, pelt.Vertices(bad[:, :7]))
 
+    def test_of_equal_vertices(self):
+        rest, faces = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 1, 0]], [[0, 1, 2], [1, 0, 3]]
+        folded = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.2, 0]]
+        opened = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, -1, 0]]
+        found = pelt.self_collide(pelt.Model(rest, faces, weld=False), pelt.Vertices([folded, opened]))
+        self.assertEqual(found.per_frame().tolist(), [1, 0])
+        self.refuses(r"merged both .*pelt\.Model\(\.\.\., weld=False\)", pelt.posed_vertices,
+                     pelt.Model(rest, faces), pelt.Vertices(opened))
+
 
 class Offsets(Case):
     def setUp(self):
@@ -87,7 +96,7 @@ class Offsets(Case):
                          pelt.posed_vertices, self.model, pelt.Poses(here, offsets=self.offsets))
         self.refuses(r"poses, offsets: expected the shape \[3, 8, 3\]", pelt.posed_vertices, self.model,
                      pelt.Poses(here, offsets=self.offsets[:2]))
-        self.refuses("poses, frame 0: .*caps", pelt.posed_vertices,
+        self.refuses("poses, frame 0: .*: give pelt.Model offset_caps", pelt.posed_vertices,
                      pelt.Model(self.rest, self.faces), pelt.Poses(here, offsets=self.offsets))
         self.refuses(r"offset_caps: expected the shape \[8\]", pelt.Model, self.rest, self.faces,
                      offset_caps=[1])

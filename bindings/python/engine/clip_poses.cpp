@@ -28,6 +28,19 @@ std::string list_of(std::size_t first, const char* others) {
   return "[F, " + std::to_string(first) + others;
 }
 
+/// Throws the error of a result, with remedies as Python spells them.
+void check_in_python(Result<void> result, const std::string& place) {
+  if (result) return;
+  std::string message = result.error().message;
+  const std::pair<std::string, std::string> remedies[] = {
+      {"ModelOptions::weld = false", "pelt.Model(..., weld=False)"},
+      {"set SkinnedMeshView::offset_caps", "give pelt.Model offset_caps"}};
+  for (const auto& [library, python] : remedies)
+    if (const std::size_t at = message.find(library); at != std::string::npos)
+      message.replace(at, library.size(), python);
+  throw ArgumentError(place + ": " + message);
+}
+
 }  // namespace
 
 ClipPoses ClipPoses::of_palettes(const PythonModel& model, std::string name,
@@ -116,7 +129,7 @@ void ClipPoses::set_morph_weights(Pose& pose, std::size_t frame, Memory& memory)
 void ClipPoses::set_offsets(Pose& pose, std::size_t frame, Memory& memory) const {
   memory.offsets.resize(model().vertex_count());
   offsets_->copy(frame, &memory.offsets.data()->x);
-  check(pose.set_offsets(memory.offsets), place(frame));
+  check_in_python(pose.set_offsets(memory.offsets), place(frame));
   // A clamped offset would answer for another shape than the caller's.
   if (const std::uint32_t clamped = check_offsets(pose); clamped > 0)
     throw ArgumentError(place(frame) + ": the offsets of " + std::to_string(clamped) +
@@ -125,7 +138,7 @@ void ClipPoses::set_offsets(Pose& pose, std::size_t frame, Memory& memory) const
 
 void ClipPoses::set_vertices(Pose& pose, std::size_t frame, Memory& memory) const {
   read_vertices(frame, memory);
-  check(pose.set_vertices(memory.vertices), place(frame));
+  check_in_python(pose.set_vertices(memory.vertices), place(frame));
 }
 
 void ClipPoses::read_vertices(std::size_t frame, Memory& memory) const {
@@ -137,7 +150,7 @@ void ClipPoses::read_vertices(std::size_t frame, Memory& memory) const {
 void ClipPoses::set(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const {
   if (vertices_) {
     read_vertices(frame, memory);
-    return check(crowd.set_vertices(instance, memory.vertices), place(frame));
+    return check_in_python(crowd.set_vertices(instance, memory.vertices), place(frame));
   }
   read_palette(frame, memory);
   if (morph_weights_) {

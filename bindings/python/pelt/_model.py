@@ -30,7 +30,7 @@ class Model:
     renormalise:    divide weights by their sums, instead of raising an error if a sum differs from 1
                     by more than 2^-7.
     weld:           merge vertices that are equal in every bit, which makes queries faster. Pass False
-                    if `Vertices` will move such vertices apart. Meshes without joints never merge.
+                    if `Vertices` will move such vertices apart, as cloth may at its seams.
     sample_palettes:  [S, J, 4, 4] palettes of typical poses. With six, queries are up to 20 % faster,
                     and building takes three times as long. Answers do not depend on them.
 
