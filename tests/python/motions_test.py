@@ -2,6 +2,7 @@
 
 import io
 import pathlib
+import struct
 import tempfile
 import unittest
 import unittest.mock
@@ -111,7 +112,7 @@ class Refused(Files):
         self.refuses("walk.pkl: pickled files can run any code", motions.load, "walk.pkl")
 
     def test_no_file(self):
-        self.refuses("nothing.npz: not a complete .npz file: .*No such file", motions.load, "nothing.npz")
+        self.refuses("nothing.npz: cannot be opened: No such file", motions.load, "nothing.npz")
 
     def test_truncated_at_any_length(self):
         generated_body.save_motion(self.path)
@@ -151,10 +152,21 @@ class Refused(Files):
             self.entry("poses", {"descr": "<f8", "fortran_order": False, "shape": shape})
             self.refuses("walk.npz: poses: ", motions.load, self.path)
 
+    def test_headers_that_are_no_literals(self):
+        for text in ["{'shape': (3", "(" * 9000, "(" * 4000 + ")" * 4000, "'''", "1_", "__import__('os')"]:
+            header = text.encode().ljust(9000) + b"\n"
+            with zipfile.ZipFile(self.path, "w") as archive:
+                archive.writestr("poses.npy", b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header)
+            with self.subTest(text[:20]):
+                self.refuses("walk.npz: poses: not an array of NumPy", motions.load, self.path)
+
     def test_more_bytes_than_allowed(self):
+        self.entry("poses", {"descr": "|i1", "fortran_order": False, "shape": (10, 156)}, bytes(1560))
+        with unittest.mock.patch("pelt._npz._MAX_BYTES", 8 * 1560 - 1):
+            self.refuses("walk.npz: poses: the arrays need more than", motions.load, self.path)
         generated_body.save_motion(self.path)
         with unittest.mock.patch("pelt._npz._MAX_BYTES", 4000):
-            self.refuses("walk.npz: poses: the arrays have more than 4000 bytes", motions.load, self.path)
+            self.refuses("walk.npz: poses: the arrays need more than 4000 bytes", motions.load, self.path)
         self.entry("poses", {"descr": "<f8", "fortran_order": False, "shape": (10**6, 156)},
                    bytes(10**6))
         self.refuses("walk.npz: poses: is cut off: 1248000000 bytes expected, 1000128 stored",

@@ -2,6 +2,7 @@
 
 import math
 import os
+import tokenize
 import zipfile
 import zlib
 from types import TracebackType
@@ -19,7 +20,8 @@ Axis = Union[int, str]
 _MAX_ENTRIES = 1000
 _MAX_BYTES = 2**30
 _UNREADABLE = (OSError, EOFError, ValueError, SyntaxError, KeyError, TypeError, OverflowError,
-               RecursionError, NotImplementedError, RuntimeError, zipfile.BadZipFile, zlib.error)
+               MemoryError, RecursionError, NotImplementedError, RuntimeError, tokenize.TokenError,
+               zipfile.BadZipFile, zlib.error)
 
 
 class Npz:
@@ -30,6 +32,8 @@ class Npz:
         self._bytes_read = 0
         try:
             self._zip = zipfile.ZipFile(self.path)
+        except OSError as error:
+            raise Error(f"{self.path}: cannot be opened: {error.strerror or error}") from error
         except _UNREADABLE as error:
             raise Error(f"{self.path}: not a complete .npz file: {error}") from error
         names = self._zip.namelist()
@@ -126,6 +130,8 @@ class Npz:
                 header = np.lib.format.read_array_header_2_0(stream)
             else:
                 raise ValueError(f"version {version} of the format")
+            if min(header[0], default=0) < 0:
+                raise ValueError(f"the shape is {list(header[0])}")
         except _UNREADABLE as error:
             raise self.error(key, f"not an array of NumPy: {error}") from error
         return header
@@ -134,7 +140,7 @@ class Npz:
         with self._open(key) as stream:
             shape, fortran, dtype = self._header(key, stream)
             size = math.prod(shape) * dtype.itemsize
-            self._check_size(key, size)
+            self._check_size(key, size, math.prod(shape) * max(dtype.itemsize, 8))
             try:
                 data = stream.read(size)
             except _UNREADABLE as error:
@@ -143,13 +149,14 @@ class Npz:
             raise self.error(key, f"is cut off: {size} bytes expected, {len(data)} found")
         return np.frombuffer(data, dtype).reshape(shape, order="F" if fortran else "C")
 
-    def _check_size(self, key: str, size: int) -> None:
+    def _check_size(self, key: str, size: int, converted: int) -> None:
+        """Numbers become float64 or int64, so few bytes of small numbers can need much memory."""
         stored = self._zip.getinfo(key + ".npy").file_size
         if size > stored:
             raise self.error(key, f"is cut off: {size} bytes expected, {stored} stored")
-        self._bytes_read += size
+        self._bytes_read += converted
         if self._bytes_read > _MAX_BYTES:
-            raise self.error(key, f"the arrays have more than {_MAX_BYTES} bytes")
+            raise self.error(key, f"the arrays need more than {_MAX_BYTES} bytes of memory")
 
 
 def refuse_pickle(path: Path, keys: str) -> None:
