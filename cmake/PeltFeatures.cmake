@@ -67,18 +67,24 @@ macro(pelt_missing result)
   endforeach()
 endmacro()
 
-# pelt_left_out(FEATURE WHAT REASON): prints the line for what is not built; an error if FEATURE is ON.
+# pelt_left_out(FEATURE WHAT REASON PACKAGES...): prints the line for what is not built; an error if
+# FEATURE is ON. The error also names PACKAGES, which the lines of other features name.
 function(pelt_left_out feature what reason)
   if("${${feature}_WISH}" STREQUAL AUTO)
     message(STATUS "Pelt: without ${what} (${reason})")
   else()
+    if(ARGN)
+      list(JOIN ARGN " " packages)
+      string(APPEND reason "; install ${packages}")
+    endif()
     message(FATAL_ERROR "Pelt: ${feature} is ON, but this cannot be built: ${what} (${reason})")
   endif()
 endfunction()
 
 # pelt_feature(NAME DESCRIPTION [AFTER FEATURE] [PACKAGES packages...]): declares the option NAME, AUTO
 # in Pelt's own build and OFF inside another project, and then sets NAME to ON or OFF for this folder
-# and those below. NAME is OFF without the feature AFTER.
+# and those below. NAME is OFF without the feature AFTER. Sets NAME_ABSENT to the packages that NAME and
+# AFTER lack.
 macro(pelt_feature name description)
   cmake_parse_arguments(PELT_FEATURE "" "AFTER" "PACKAGES" ${ARGN})
   set(pelt_default OFF)
@@ -88,11 +94,13 @@ macro(pelt_feature name description)
   set(${name} ${pelt_default} CACHE STRING "Build ${description}: ON, OFF, or AUTO (if possible)")
   set_property(CACHE ${name} PROPERTY STRINGS AUTO ON OFF)
   set(${name}_WISH ${${name}})
+  set(${name}_ABSENT "")
   if(${name})
     set(${name} OFF)
     pelt_missing(pelt_absent ${PELT_FEATURE_PACKAGES})
+    set(${name}_ABSENT ${${PELT_FEATURE_AFTER}_ABSENT} ${pelt_absent})
     if(PELT_FEATURE_AFTER AND NOT ${PELT_FEATURE_AFTER})
-      pelt_left_out(${name} "${description}" "needs ${PELT_FEATURE_AFTER}")
+      pelt_left_out(${name} "${description}" "needs ${PELT_FEATURE_AFTER}" ${${name}_ABSENT})
     elseif(pelt_absent)
       list(JOIN pelt_absent " " pelt_absent)
       pelt_left_out(${name} "${description}" "install ${pelt_absent}")

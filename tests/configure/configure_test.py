@@ -159,6 +159,15 @@ class Configure(unittest.TestCase):
             self.assertNotEqual(configured.status, 0, package)
             self.assertIn(f"install {package}", configured.words)
 
+    def test_the_packages_of_an_absent_feature_are_named(self):
+        for option in ("TOOLS", "EVALUATION", "PYTHON"):
+            configured = Configured(["libmeshoptimizer-dev"], [f"-DPELT_BUILD_{option}=ON"])
+            self.assertNotEqual(configured.status, 0, option)
+            self.assertRegex(configured.words, r"needs PELT_BUILD_\w+; install libmeshoptimizer-dev\)")
+        configured = Configured([], ["-DPELT_BUILD_ASSET=OFF", "-DPELT_BUILD_TOOLS=ON"])
+        self.assertNotEqual(configured.status, 0)
+        self.assertIn("(needs PELT_BUILD_ASSET)", configured.words)
+
     def test_a_project_gets_the_reader_on_request(self):
         project = SOURCE / "tests/consumer/project"
         options = [f"-DPELT_SOURCE={SOURCE}", f"-DEXAMPLES={SOURCE / 'docs/examples'}"]
