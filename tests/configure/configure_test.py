@@ -168,6 +168,12 @@ class Configure(unittest.TestCase):
         self.assertNotEqual(configured.status, 0)
         self.assertIn("(needs PELT_BUILD_ASSET)", configured.words)
 
+    def test_missing_peers_are_errors(self):
+        for package in ("libcgal-dev", "pkg-config"):
+            configured = Configured([package], ["-DPELT_BENCH_PEERS=ON"])
+            self.assertNotEqual(configured.status, 0, package)
+            self.assertIn("run scripts/install-deps peers", configured.words)
+
     def test_a_project_gets_the_reader_on_request(self):
         project = SOURCE / "tests/consumer/project"
         options = [f"-DPELT_SOURCE={SOURCE}", f"-DEXAMPLES={SOURCE / 'docs/examples'}"]
