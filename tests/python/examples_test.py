@@ -23,6 +23,12 @@ class Examples(Case):
     def test_arrays(self):
         self.assertRegex(self.run_example("arrays.py"), r"frame 0: 0 .*\n(.*\n)*.*frame \d+: [1-9]")
 
+    def test_usage_is_printed(self):
+        result = subprocess.run([sys.executable, EXAMPLES / "two_characters.py"], text=True,
+                                capture_output=True)
+        self.assertEqual((result.returncode, result.stderr),
+                         (1, "usage: two_characters.py WALKER.glb STANDER.glb\n"))
+
     def test_they_are_short(self):
         for file in (EXAMPLES / name for name in ("two_characters.py", "arrays.py", "picture.py")):
             code = [line for line in file.read_text().split('"""')[2].splitlines() if line.strip()]

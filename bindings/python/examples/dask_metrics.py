@@ -32,4 +32,4 @@ def main(folder: str, body_model: str, path: str, *scheduler: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main(*sys.argv[1:]) if len(sys.argv) in (4, 5) else __doc__)

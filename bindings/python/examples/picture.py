@@ -6,6 +6,8 @@ import matplotlib.pyplot as plt
 
 import pelt
 
+if len(sys.argv) != 2:
+    sys.exit("usage: picture.py CHARACTER.glb")
 character = pelt.load(sys.argv[1])
 clip = character.clips[0]
 contacts = pelt.self_collide(character.model, character.poses(clip.name, fps=60),
@@ -14,3 +16,4 @@ plt.plot([frame / 60 for frame in range(contacts.frames)], contacts.per_frame())
 plt.xlabel(f"seconds of {clip.name}")
 plt.ylabel("pairs of triangles that intersect")
 plt.savefig("self_contacts.png")
+print("wrote self_contacts.png")
