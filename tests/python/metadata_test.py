@@ -34,6 +34,13 @@ class Package(Case):
             if inspect.isfunction(getattr(pelt, name)):
                 self.assertIn(name, pelt.__doc__)
 
+    def test_help_names_types_as_the_source_does(self):
+        self.assertIn("poses_a: 'PosesLike'", str(inspect.signature(pelt.collide)))
+        for name in pelt.__all__:
+            value = getattr(pelt, name)
+            if inspect.isfunction(value):
+                self.assertNotIn("_array_like", str(inspect.signature(value)), name)
+
     def test_the_error_is_a_value_error(self):
         self.assertTrue(issubclass(pelt.Error, ValueError))
 

@@ -1,5 +1,7 @@
 """Arguments as NumPy arrays."""
 
+from __future__ import annotations
+
 import operator
 from typing import Any, Union
 

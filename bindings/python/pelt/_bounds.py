@@ -1,5 +1,7 @@
 """Boxes and spheres."""
 
+from __future__ import annotations
+
 from typing import Optional
 
 import numpy as np

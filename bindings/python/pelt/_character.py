@@ -1,5 +1,7 @@
 """Characters from glTF files."""
 
+from __future__ import annotations
+
 import math
 import os
 from typing import List, NamedTuple, Optional, Sequence, Union

@@ -1,5 +1,7 @@
 """Geometry of contacts."""
 
+from __future__ import annotations
+
 from typing import Any, Dict, Optional
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Lists of pairs of triangles, as columns of NumPy."""
 
+from __future__ import annotations
+
 from typing import Dict, Iterator, Tuple, Union
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Many characters in one scene."""
 
+from __future__ import annotations
+
 from typing import Optional, Sequence, Tuple
 
 import numpy as np

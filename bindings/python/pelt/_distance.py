@@ -1,5 +1,7 @@
 """Distances of surfaces from each other and from points."""
 
+from __future__ import annotations
+
 import math
 from typing import Optional
 

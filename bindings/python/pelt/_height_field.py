@@ -1,5 +1,7 @@
 """Terrain."""
 
+from __future__ import annotations
+
 import math
 from typing import Optional, Sequence
 

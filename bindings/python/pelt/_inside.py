@@ -1,5 +1,7 @@
 """Inside and outside of closed surfaces."""
 
+from __future__ import annotations
+
 from typing import Optional
 
 import numpy as np

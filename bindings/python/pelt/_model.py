@@ -1,5 +1,7 @@
 """Models."""
 
+from __future__ import annotations
+
 import re
 from typing import Dict, Optional, Tuple
 

@@ -1,5 +1,7 @@
 """Contacts between frames."""
 
+from __future__ import annotations
+
 from typing import Dict, Optional
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Which joints of a character are neighbours in its body."""
 
+from __future__ import annotations
+
 from typing import NamedTuple, Optional
 
 import numpy as np

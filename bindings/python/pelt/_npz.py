@@ -1,5 +1,7 @@
 """Arrays of `.npz` files from strangers: nothing is unpickled, and sizes are checked before reading."""
 
+from __future__ import annotations
+
 import math
 import os
 import tokenize

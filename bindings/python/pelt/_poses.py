@@ -1,5 +1,7 @@
 """Poses of all frames of a call."""
 
+from __future__ import annotations
+
 from typing import Optional, Union
 
 import numpy as np

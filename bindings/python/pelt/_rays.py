@@ -1,5 +1,7 @@
 """Rays against posed surfaces."""
 
+from __future__ import annotations
+
 import math
 from typing import Optional
 

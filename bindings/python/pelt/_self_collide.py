@@ -1,5 +1,7 @@
 """Contacts of a model with itself."""
 
+from __future__ import annotations
+
 from typing import Optional
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Simple solids: planes, boxes, spheres, capsules."""
 
+from __future__ import annotations
+
 import math
 from typing import Dict, NamedTuple, Optional, Sequence, Tuple, Union
 

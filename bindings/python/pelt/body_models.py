@@ -11,6 +11,8 @@
 Positions are in metres. The frame is that of the motion: z is up in AMASS.
 """
 
+from __future__ import annotations
+
 from typing import Any, Dict, Iterator, Optional, Tuple, cast
 
 import numpy as np

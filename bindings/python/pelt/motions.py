@@ -9,6 +9,8 @@
 Positions are in metres, and z is up. Rotations are rotation vectors in radians.
 """
 
+from __future__ import annotations
+
 from typing import Dict, Optional
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Bodies and motions of a folder: what measurements of clips and of pairs share."""
 
+from __future__ import annotations
+
 import functools
 import os
 from typing import Dict, Mapping, NamedTuple, Optional, Sequence, Tuple, Union

@@ -1,5 +1,7 @@
 """Closed parts of a body."""
 
+from __future__ import annotations
+
 import collections
 from typing import Dict, List, NamedTuple, Optional
 

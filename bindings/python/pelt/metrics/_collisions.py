@@ -1,5 +1,7 @@
 """Shares of colliding triangles, and the filters of SMPLify-X."""
 
+from __future__ import annotations
+
 from typing import NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np

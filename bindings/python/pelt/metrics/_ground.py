@@ -1,5 +1,7 @@
 """Bodies and the ground: penetration, floating, skating."""
 
+from __future__ import annotations
+
 from typing import NamedTuple, Optional
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Penetration of two bodies: vertices inside, frames, depth."""
 
+from __future__ import annotations
+
 from typing import NamedTuple, Optional
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Contact of a body with itself, by distance and geodesic distance."""
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple, Optional
 

@@ -1,5 +1,7 @@
 """Volumes of intersection."""
 
+from __future__ import annotations
+
 from typing import NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
