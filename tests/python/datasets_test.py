@@ -204,6 +204,33 @@ class Command(Folder):
             self.assertIn(message, result.stderr)
         self.assertEqual(len(read_rows(self.table)), 4)
 
+    def test_rows_of_another_body_model_are_refused(self):
+        """A body model for women that is added later must not leave their rows as they are."""
+        generated_body.save_motion(self.data / "a/woman.npz", gender=np.array("female"))
+        other = generated_body.save_body(self.root / "other.npz")
+        self.command("--metrics", "colliding")
+        result = self.command("--metrics", "colliding", "--body-model", f"female={other}")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("row 4 is of another measurement (other body models", result.stderr)
+        result = self.command("--metrics", "colliding", "--body-model", f"neutral={other}")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_body_models_of_one_name(self):
+        """Those of SMPL-H are male/model.npz and female/model.npz."""
+        generated_body.save_motion(self.data / "a/woman.npz", gender=np.array("female"))
+        paths = {}
+        for gender in ("male", "female"):
+            (self.root / gender).mkdir()
+            paths[gender] = generated_body.save_body(self.root / gender / "model.npz")
+        measure = datasets.Measurement(self.data, paths, ["colliding"])
+        self.assertEqual([measure(f"a/{clip}.npz")["body_model"] for clip in ("walk", "woman")],
+                         ["male/model.npz", "female/model.npz"])
+        with datasets.Table(self.table, measure) as table:
+            table.append(measure("a/woman.npz"))
+        swapped = {"male": paths["female"], "female": paths["male"]}
+        self.refuses("row 2 is of another measurement", datasets.Table, self.table,
+                     datasets.Measurement(self.data, swapped, ["colliding"]))
+
     def test_shards_are_the_whole(self):
         self.command("--metrics", "colliding")
         whole = read_rows(self.table)

@@ -1,6 +1,5 @@
 """Metrics of single clips."""
 
-import os
 from typing import Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -59,8 +58,7 @@ class Measurement(Folder):
 
     def has_made(self, row: Mapping[str, object]) -> bool:
         """Returns whether a row may be of this measurement: of its body models, options and frames."""
-        names = {os.path.basename(path) for path in self.body_models.values()}
-        return (row["body_model"] in names
+        return (self.has_measured(row["gender"], row["body_model"])
                 and (row["options"], row["every"]) == (self.options, str(self.every)))
 
     def __call__(self, clip: str) -> Row:
@@ -71,7 +69,7 @@ class Measurement(Folder):
         Raises `pelt.Error` that names the file and the reason.
         """
         read = self.load(clip)
-        row: Row = {"clip": clip, "body_model": os.path.basename(read.body_model),
+        row: Row = {"clip": clip, "body_model": self.name_of(read.body_model),
                     "options": self.options, "every": self.every, "frames": len(read.motion),
                     "seconds": read.whole.seconds, "fps": read.whole.fps,
                     "gender": read.motion.gender}

@@ -1,6 +1,5 @@
 """Metrics of pairs of clips: two bodies in one scene."""
 
-import os
 from typing import Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -59,8 +58,7 @@ class PairMeasurement(Folder):
 
     def has_made(self, row: Mapping[str, object]) -> bool:
         """Returns whether a row may be of this measurement: of its body models, options and frames."""
-        names = {os.path.basename(path) for path in self.body_models.values()}
-        return ({row["body_model_a"], row["body_model_b"]} <= names
+        return (all(self.has_measured(row[f"gender_{one}"], row[f"body_model_{one}"]) for one in "ab")
                 and (row["options"], row["every"]) == (self.options, str(self.every)))
 
     def __call__(self, pair: Pair) -> Row:
@@ -74,8 +72,8 @@ class PairMeasurement(Folder):
         a, b = self.load(pair[0]), self.load(pair[1])
         _check_frames(a, b)
         row: Row = {"clip_a": pair[0], "clip_b": pair[1],
-                    "body_model_a": os.path.basename(a.body_model),
-                    "body_model_b": os.path.basename(b.body_model), "options": self.options,
+                    "body_model_a": self.name_of(a.body_model),
+                    "body_model_b": self.name_of(b.body_model), "options": self.options,
                     "every": self.every, "frames": len(a.motion), "seconds": a.whole.seconds,
                     "fps": a.whole.fps, "gender_a": a.motion.gender,
                     "gender_b": b.motion.gender}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import os
-from typing import Dict, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Dict, Iterable, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -76,6 +76,7 @@ class Folder:
         given = body_models if isinstance(body_models, Mapping) else {"": body_models}
         self.folder = os.fspath(folder)
         self.body_models = {gender: os.fspath(path) for gender, path in given.items()}
+        self._names = _distinct_ends(self.body_models.values())
         self.metrics = tuple(names)
         self.every = every
         self.body_only = body_only
@@ -102,6 +103,15 @@ class Folder:
                         + ([f"betas={self.betas}"] if self.betas is not None else [])
                         + (["close-holes"] if self.close_holes else []))
 
+    def has_measured(self, gender: object, body_model: object) -> bool:
+        """Returns whether the subjects of a gender are measured with a body model of this name."""
+        path = self._path_for(str(gender))
+        return path is not None and self.name_of(path) == body_model
+
+    def name_of(self, body_model: str) -> str:
+        """Returns the name of a body model in the table: the end of its path."""
+        return self._names[body_model]
+
     def path_of(self, clip: str) -> str:
         return os.path.join(self.folder, clip)
 
@@ -115,10 +125,13 @@ class Folder:
         return Clip(path, body_model, subject, whole, motion[::self.every])
 
     def _body_model(self, path: str, gender: str) -> str:
-        found = self.body_models.get(gender, self.body_models.get(""))
+        found = self._path_for(gender)
         if found is None:
             raise Error(f"{path}: gender: no body model for {gender!r}")
         return found
+
+    def _path_for(self, gender: str) -> Optional[str]:
+        return self.body_models.get(gender, self.body_models.get(""))
 
     def _subject(self, path: str, body_model: str, betas: npt.NDArray[np.float64]) -> Subject:
         most = _body(body_model).shape_directions.shape[2]
@@ -145,6 +158,18 @@ class Folder:
 def joined(chunks: Sequence[Columns]) -> Columns:
     """Returns the values of all frames."""
     return {name: np.concatenate([chunk[name] for chunk in chunks]) for name in chunks[0]}
+
+
+def _distinct_ends(paths: Iterable[str]) -> Dict[str, str]:
+    """Returns the ends of paths, with as many folders as tell the files apart: the body models of SMPL-H
+    are male/model.npz and female/model.npz."""
+    parts = {path: tuple(os.path.normpath(path).split(os.sep)) for path in paths}
+    ends: Dict[str, str] = {}
+    for length in range(1, max(map(len, parts.values()), default=0) + 1):
+        ends = {path: "/".join(names[-length:]) for path, names in parts.items()}
+        if len(set(ends.values())) == len(set(parts.values())):
+            break
+    return ends
 
 
 @functools.lru_cache(maxsize=4)
