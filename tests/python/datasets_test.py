@@ -138,6 +138,14 @@ class Clips(Folder):
                   ["volume_max"] for betas in (0, 10, None)}
         self.assertEqual(len(shapes), 3)
 
+    def test_without_betas(self):
+        """The mean shape is a decision, not a default."""
+        generated_body.save_motion(self.data / "a/walk.npz", betas=None)
+        self.refuses("walk.npz: betas: missing: .*--betas 0.* mean shape",
+                     datasets.Measurement(self.data, self.body), "a/walk.npz")
+        row = datasets.Measurement(self.data, self.body, ["colliding"], betas=0)("a/walk.npz")
+        self.assertEqual(row["options"], "betas=0")
+
     def test_refused(self):
         self.refuses("betas: expected 0", datasets.Measurement, self.data, self.body, betas=-1)
         self.refuses("metrics: unknown 'depth'", datasets.Measurement, self.data, self.body, ["depth"])

@@ -64,6 +64,12 @@ class Layouts(Files):
         self.assertEqual(self.saved(gender=None).gender, "unknown")
         self.assertEqual(self.saved(gender=np.array("male", object)).gender, "unknown")
 
+    def test_without_betas(self):
+        self.assertEqual(self.saved(betas=None).betas.shape, (0,))
+
+    def test_first_of_two_rates(self):
+        self.assertEqual(self.saved(mocap_frame_rate=np.array(60.0)).fps, 120)
+
     def test_betas_of_a_batch_of_one(self):
         betas = np.arange(16.0)
         self.assertEqual(self.saved(betas=betas[np.newaxis]).betas.tolist(), betas.tolist())

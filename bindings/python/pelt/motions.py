@@ -88,7 +88,8 @@ def load(path: Path, *, fps: Optional[float] = None) -> Motion:
 
     fps:      frames per second if the file does not state them. Those of Inter-X do not: they have 120.
 
-    `poses` of another number of joints are read, too. Other keys, such as `dmpls`, are ignored; nothing
+    `poses` of another number of joints are read, too. Without `betas`, the motion has none, so it gets
+    the mean shape. Of two rates, `mocap_framerate` counts. Other keys, such as `dmpls`, are ignored; nothing
     in the file is unpickled.
 
     Raises `pelt.Error` that names the file and the key.

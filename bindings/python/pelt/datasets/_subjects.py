@@ -119,6 +119,8 @@ class Folder:
         """Returns a clip with the frames that are measured."""
         path = self.path_of(clip)
         whole = motions.load(path, fps=self.fps)
+        if len(whole.betas) == 0 and self.betas != 0:
+            raise Error(f"{path}: betas: missing: measure with `--betas 0`, or betas=0, for the mean shape")
         body_model = self._body_model(path, whole.gender)
         subject = self._subject(path, body_model, whole.betas[:self.betas])
         motion = whole.body_only(subject.body.joint_count) if self.body_only else whole
