@@ -138,6 +138,19 @@ class Clips(Folder):
                   ["volume_max"] for betas in (0, 10, None)}
         self.assertEqual(len(shapes), 3)
 
+    def test_triangles_that_face_inwards(self):
+        """Their self-intersection would be the whole body."""
+        faces = generated_body.arrays()["f"][:, ::-1]
+        body = generated_body.save_body(self.root / "inwards.npz", f=faces)
+        self.refuses(r"inwards.npz: f: the triangles face inwards, .*: save f\[:, ::-1\]",
+                     datasets.Measurement, self.data, body)
+        row = datasets.Measurement(self.data, body, ["colliding"])("a/walk.npz")
+        self.assertEqual(row["colliding_max"],
+                         datasets.Measurement(self.data, self.body, ["colliding"])("a/walk.npz")
+                         ["colliding_max"])
+        holes = np.delete(generated_body.arrays()["f"], [5, 70], axis=0)
+        datasets.Measurement(self.data, generated_body.save_body(self.root / "open.npz", f=holes))
+
     def test_without_betas(self):
         """The mean shape is a decision, not a default."""
         generated_body.save_motion(self.data / "a/walk.npz", betas=None)

@@ -31,6 +31,14 @@ class Volumes(Case):
         found = metrics.self_intersection_volume(model, poses)
         self.assertTrue((np.abs(found.value - [1.75, 0]) <= found.error + 1e-12).all())
 
+    def test_triangles_that_face_inwards(self):
+        rest, faces = box()
+        inwards, here = pelt.Model(rest, faces[:, ::-1]), moved([0, 0, 0])
+        self.assertEqual(metrics.volume(inwards, here).value[0], -8)
+        self.assertEqual(metrics.self_intersection_volume(inwards, here).value[0], 8)
+        found = metrics.intersection_volume(inwards, here, box_model(), moved([1.5, 0.25, 0]))
+        self.assertLessEqual(abs(found.value[0] + 0.5 * 1.75 * 2), found.error[0])
+
     def test_is_not_negative(self):
         # Without the bound, rounding made some of these values -1e-17.
         random = np.random.default_rng(5)

@@ -94,7 +94,10 @@ class Folder:
         if fps is not None and not 0 < fps < np.inf:
             raise Error(f"fps: expected a positive number, found {fps}")
         for path in self.body_models.values():
-            _body(path)  # rather one error now than one for each clip
+            body = _body(path)  # rather one error now than one for each clip
+            if "volume" in self.metrics and _faces_inwards(body):
+                raise Error(f"{path}: f: the triangles face inwards, so that volumes would be those of a "
+                            "body turned inside out: save f[:, ::-1] instead")
 
     @property
     def options(self) -> str:
@@ -177,6 +180,12 @@ def _distinct_ends(paths: Iterable[str]) -> Dict[str, str]:
 @functools.lru_cache(maxsize=4)
 def _body(path: str) -> body_models.BodyModel:
     return body_models.load(path)
+
+
+def _faces_inwards(body: body_models.BodyModel) -> bool:
+    """Returns whether the mean shape has a negative volume. Holes are closed by cones to its middle."""
+    corners = (body.template - body.template.mean(axis=0))[body.faces]
+    return bool(np.linalg.det(corners).sum() < 0)
 
 
 @functools.lru_cache(maxsize=4)

@@ -73,6 +73,7 @@ def self_intersection_volume(model: Model, poses: PosesLike, *, threads: Optiona
     `voxel_self_intersection_volume`, which counts a region that the surface encloses twice as 2.
 
     Misjudges: skin creases at bent joints are inside out in many poses of linear blend skinning.
+    If all triangles face inwards, the whole body is inside out and counts: `volume` is then negative.
 
     Raises `pelt.Error` if the surface of the model is not closed.
     """
@@ -95,7 +96,8 @@ def intersection_volume(model_a: Model, poses_a: PosesLike, model_b: Model, pose
     error of rounding.
     Source: "intersection volume" of work on hands and objects, such as GraspTTA, there by voxels.
 
-    Misjudges: a body that intersects itself counts such regions several times.
+    Misjudges: a body that intersects itself counts such regions several times. The value is negative if
+    the triangles of one body face inwards.
 
     Raises `pelt.Error` if a surface is not closed.
     """
