@@ -151,6 +151,15 @@ class Clips(Folder):
         holes = np.delete(generated_body.arrays()["f"], [5, 70], axis=0)
         datasets.Measurement(self.data, generated_body.save_body(self.root / "open.npz", f=holes))
 
+    def test_body_model_that_is_replaced(self):
+        """In a notebook, the same process measures with the old file and with the new one."""
+        def volume():
+            return datasets.Measurement(self.data, self.body, ["volume"])("a/walk.npz")["volume_max"]
+        old = volume()
+        keys = generated_body.arrays()
+        generated_body.save_body(self.body, v_template=2 * keys["v_template"])
+        self.assertGreater(volume(), 4 * old)
+
     def test_without_betas(self):
         """The mean shape is a decision, not a default."""
         generated_body.save_motion(self.data / "a/walk.npz", betas=None)

@@ -143,7 +143,7 @@ class Folder:
         if len(betas) > most:
             raise Error(f"{path}: betas: {len(betas)} shape parameters, but {body_model} has {most}: "
                         f"measure with `--betas {most}`, or betas={most}")
-        return _subject(body_model, betas.tobytes())
+        return _subject(body_model, betas)
 
     def summary(self, name: str, values: npt.NDArray[np.float64]) -> Row:
         """Returns the mean of a metric, its maximum, and the frame of the maximum."""
@@ -177,8 +177,21 @@ def _distinct_ends(paths: Iterable[str]) -> Dict[str, str]:
     return ends
 
 
-@functools.lru_cache(maxsize=4)
 def _body(path: str) -> body_models.BodyModel:
+    return _loaded_body(path, _version(path))
+
+
+def _version(path: str) -> Tuple[int, int]:
+    """Returns what changes if the file does: notebooks replace a body model and measure again."""
+    try:
+        status = os.stat(path)
+    except OSError as error:
+        raise Error(f"{path}: {error.strerror}") from error
+    return status.st_mtime_ns, status.st_size
+
+
+@functools.lru_cache(maxsize=4)
+def _loaded_body(path: str, version: Tuple[int, int]) -> body_models.BodyModel:
     return body_models.load(path)
 
 
@@ -188,7 +201,11 @@ def _faces_inwards(body: body_models.BodyModel) -> bool:
     return bool(np.linalg.det(corners).sum() < 0)
 
 
+def _subject(path: str, betas: npt.NDArray[np.float64]) -> Subject:
+    return _shaped_subject(path, _version(path), betas.tobytes())
+
+
 @functools.lru_cache(maxsize=4)
-def _subject(path: str, betas: bytes) -> Subject:
+def _shaped_subject(path: str, version: Tuple[int, int], betas: bytes) -> Subject:
     """Consecutive clips often are of the same one or two subjects."""
-    return Subject(_body(path).subject(np.frombuffer(betas)))
+    return Subject(_loaded_body(path, version).subject(np.frombuffer(betas)))
