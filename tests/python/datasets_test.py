@@ -122,7 +122,7 @@ class Clips(Folder):
         self.refuses("fps: expected a positive", datasets.Measurement, self.data, self.body, fps=0)
 
     def test_genders(self):
-        self.refuses("gender: no body model for 'male'",
+        self.refuses("gender: no body model for 'male': add `--body-model male=FILE`",
                      datasets.Measurement(self.data, {"female": self.body}), "a/walk.npz")
 
     def test_betas(self):
@@ -203,7 +203,7 @@ class Command(Folder):
         for row in read_rows(failed):
             self.assertIn(f"failed: {row['reason']}", result.stderr)
         for reason in ("broken.npz: not a complete .npz file", "model.pkl: pickled files can run",
-                       "wide.npz: motion: has poses of 55 joints"):
+                       "wide.npz: motion: has poses of 55 joints", "`--body-only`"):
             self.assertIn(reason, result.stderr)
         self.assertEqual(len(read_rows(self.table)), 4)
 

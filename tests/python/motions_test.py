@@ -119,6 +119,7 @@ class Refused(Files):
 
     def test_no_file(self):
         self.refuses("nothing.npz: cannot be opened: No such file", motions.load, "nothing.npz")
+        self.refuses(": cannot be opened: Is a directory", motions.load, self.path.parent)
 
     def test_truncated_at_any_length(self):
         generated_body.save_motion(self.path)

@@ -131,7 +131,8 @@ class Subject:
         if motion.poses.shape[1] != 3 * count:
             raise Error(f"motion: has poses of {motion.poses.shape[1] // 3} joints, but the body model "
                         f"has {count}. Use the body model that the motion was made for "
-                        f"(24 joints: SMPL, 52: SMPL-H, 55: SMPL-X), or `motion.body_only({count})`")
+                        f"(24 joints: SMPL, 52: SMPL-H, 55: SMPL-X), or ignore hands and face by "
+                        f"`--body-only`, or `motion.body_only({count})`")
         return rotations(motion.poses.reshape(-1, count, 3))
 
     def _palettes(self, turns: Doubles, translations: Doubles) -> Doubles:

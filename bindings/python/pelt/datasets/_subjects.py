@@ -132,7 +132,8 @@ class Folder:
     def _body_model(self, path: str, gender: str) -> str:
         found = self._path_for(gender)
         if found is None:
-            raise Error(f"{path}: gender: no body model for {gender!r}")
+            raise Error(f"{path}: gender: no body model for {gender!r}: add `--body-model "
+                        f"{gender}=FILE`, or one for all others, `--body-model FILE`")
         return found
 
     def _path_for(self, gender: str) -> Optional[str]:
