@@ -229,6 +229,16 @@ class Command(Folder):
             self.assertEqual(self.of_pairs("--metrics", "touching,depth").returncode, 0)
             self.assertEqual(self.table.read_bytes(), whole)
 
+    def test_empty_columns_are_announced(self):
+        generated_body.save_body(self.body, f=generated_body.arrays()["f"][2:])
+        notice = "so its columns of depth, volume stay empty: close them with `--close-holes`"
+        metrics = ("--metrics", "touching,depth,volume")
+        self.assertIn(notice, self.of_pairs(*metrics).stderr)
+        self.table = self.root / "closed.csv"
+        self.assertEqual(self.of_pairs(*metrics, "--close-holes").stderr, "")
+        self.table = self.root / "touching.csv"
+        self.assertEqual(self.of_pairs("--metrics", "touching").stderr, "")
+
     def test_other_measurements_are_refused(self):
         self.of_pairs("--metrics", "touching")
         other = generated_body.save_body(self.root / "other.npz")

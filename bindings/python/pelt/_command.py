@@ -171,6 +171,10 @@ def _measure_folder(options: argparse.Namespace) -> int:
     items = _items(options)[part - 1::count]
     measure = _measurement(options)
     noun = "clips" if isinstance(measure, Measurement) else "pairs"
+    undefined = measure.undefined_metrics()
+    if undefined:
+        print(f"a body model has holes, so its columns of {', '.join(undefined)} stay empty: close them "
+              "with `--close-holes`", file=sys.stderr, flush=True)
     with Table(options.out, measure) as table, _Failures(options.failed, noun) as failed:
         before = len(table.done)
         progress = _Progress(len(items), noun)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import os
-from typing import Dict, Iterable, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,9 @@ Columns = Dict[str, npt.NDArray[np.float64]]
 
 Row = Dict[str, Union[str, int, float]]
 """Values by the names of their columns."""
+
+_OF_ANY_SURFACE = {"colliding", "filtered", "contact", "touching"}
+"""Metrics that need no inside."""
 
 AT_A_TIME = 128
 """Frames that are in memory at a time."""
@@ -98,6 +101,15 @@ class Folder:
             if "volume" in self.metrics and _faces_inwards(body):
                 raise Error(f"{path}: f: the triangles face inwards, so that volumes would be those of a "
                             "body turned inside out: save f[:, ::-1] instead")
+
+    def undefined_metrics(self) -> List[str]:
+        """Returns the metrics that a body model with holes leaves empty."""
+        inside = [name for name in self.metrics if name not in _OF_ANY_SURFACE]
+        if self.close_holes or not inside:
+            return []
+        mean_shape = np.zeros(0)
+        are_closed = [_subject(path, mean_shape).model.is_closed for path in self.body_models.values()]
+        return [] if all(are_closed) else inside
 
     @property
     def options(self) -> str:
