@@ -175,8 +175,10 @@ def _measure_folder(options: argparse.Namespace) -> int:
     if undefined:
         print(f"a body model has holes, so its columns of {', '.join(undefined)} stay empty: close them "
               "with `--close-holes`", file=sys.stderr, flush=True)
+    written = _modified(options.out)
     with Table(options.out, measure) as table, _Failures(options.failed, noun) as failed:
         before = len(table.done)
+        _warn_of_changes(measure, [item for item in items if item in table.done], written)
         progress = _Progress(len(items), noun)
         for number, item in enumerate(items):
             progress.show(number, len(failed), _name_of(item))
@@ -190,6 +192,27 @@ def _measure_folder(options: argparse.Namespace) -> int:
         progress.show(len(items), len(failed), "")
         _print_summary(options.out, noun, len(table.done) - before, before, failed.reasons)
     return 1 if failed.reasons else 0
+
+
+def _modified(path: str) -> float:
+    """Returns when a file was written; 0 if there is none."""
+    try:
+        return os.stat(path).st_mtime
+    except OSError:
+        return 0
+
+
+def _warn_of_changes(measure: Union[Measurement, PairMeasurement], done: List[Item],
+                     written: float) -> None:
+    """Names clips and body models that are newer than the table, whose rows may be out of date."""
+    clips = {clip for item in done for clip in ([item] if isinstance(item, str) else item)}
+    paths = [measure.path_of(clip) for clip in sorted(clips)]
+    newer = [path for path in (*paths, *(measure.body_models.values() if done else ()))
+             if _modified(path) > written]
+    if newer:
+        more = f" and {len(newer) - 1} more" if len(newer) > 1 else ""
+        print(f"warning: {newer[0]}{more}: newer than the table, whose rows may be out of date. If the "
+              "contents have changed, measure into another table", file=sys.stderr, flush=True)
 
 
 def _name_of(item: Item) -> str:
