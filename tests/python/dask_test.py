@@ -1,7 +1,10 @@
 """The example dask_metrics.py: a worker that is killed in the middle of a run loses nothing."""
 
+import concurrent.futures
+import contextlib
 import csv
 import os
+import runpy
 import signal
 import subprocess
 import sys
@@ -102,6 +105,23 @@ class Killed(Case):
         self.assertEqual(again.returncode, 0, errors)
         self.assertTrue(table.read_bytes().startswith(before))
         self.assertEqual(len({row["clip"] for row in read_rows(table)}), CLIPS)
+
+    def test_two_runs_on_one_scheduler(self):
+        """Dask gives equal keys of two programs one result, so the keys must differ."""
+        tall = generated_body.save_body(self.root / "tall.npz",
+                                        v_template=1.2 * generated_body.arrays()["v_template"])
+        runs = [(self.root / "table.csv", self.body), (self.root / "tall.csv", tall)]
+        with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None,
+                                      local_directory=str(self.root)) as cluster:
+            main = runpy.run_path(str(EXAMPLE))["main"]
+            with concurrent.futures.ThreadPoolExecutor(2) as threads, contextlib.redirect_stdout(None):
+                results = list(threads.map(
+                    lambda run: main(str(self.data), str(run[1]), str(run[0]), cluster.scheduler_address),
+                    runs))
+        self.assertEqual(results, [0, 0])
+        for table, body in runs:
+            self.assertEqual({row["body_model"] for row in read_rows(table)}, {body.name})
+            self.assertEqual(len(read_rows(table)), CLIPS)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,9 @@ def main(folder: str, body_model: str, path: str, *scheduler: str) -> int:
     local = {} if scheduler else {"n_workers": os.cpu_count(), "threads_per_worker": 1}
     with datasets.Table(path, measure) as table, Client(*scheduler, **local) as client:
         clips = [clip for clip in datasets.find_clips(folder) if clip not in table.done]
-        futures = dict(zip(client.map(measure, clips, key=clips, retries=3), clips))
+        # Programs that share a scheduler share the results of equal keys.
+        keys = [f"{os.path.abspath(path)}: {clip}" for clip in clips]
+        futures = dict(zip(client.map(measure, clips, key=keys, retries=3), clips))
         for future in as_completed(futures):
             if future.status == "finished":
                 table.append(future.result())
