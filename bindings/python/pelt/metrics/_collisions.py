@@ -26,35 +26,33 @@ SMPLIFY_X_IGNORED: Tuple[Tuple[int, int], ...] = ((9, 16), (9, 17), (6, 16), (6,
 
 
 class CollidingTriangles(NamedTuple):
-    """Collisions of a body with itself in F frames, see `colliding_triangles`."""
+    """Collisions of a body with itself in F frames, see `colliding_triangles`.
+
+    pairs:             [F] number of pairs of intersecting triangles.
+    percent:           [F] 100 x pairs / T: may exceed 100.
+    triangles:         [F] number of triangles that intersect another one.
+    triangle_percent:  [F] 100 x triangles / T: at most 100.
+    """
 
     pairs: Counts
-    """[F] number of pairs of intersecting triangles"""
-
     percent: Percents
-    """[F] 100 x pairs / T: may exceed 100"""
-
     triangles: Counts
-    """[F] number of triangles that intersect another one"""
-
     triangle_percent: Percents
-    """[F] 100 x triangles / T: at most 100"""
 
 
 class CappedCollisions(NamedTuple):
-    """Collisions within a cap in F frames, see `capped_colliding_triangles`."""
+    """Collisions within a cap in F frames, see `capped_colliding_triangles`.
+
+    pairs:     [F] number of pairs within the cap.
+    percent:   [F] 100 x pairs / T.
+    box_hits:  [F] number of pairs of triangles whose bounding boxes overlap, neighbours included.
+    lost:      [F] number of colliding pairs beyond the cap: 0 unless there are more box hits than cap x T.
+    """
 
     pairs: Counts
-    """[F] number of pairs within the cap"""
-
     percent: Percents
-    """[F] 100 x pairs / T"""
-
     box_hits: Counts
-    """[F] number of pairs of triangles whose bounding boxes overlap, neighbours included"""
-
     lost: Counts
-    """[F] number of colliding pairs beyond the cap: 0 unless there are more box hits than cap x T"""
 
 
 def colliding_triangles(model: Model, poses: PosesLike, ignore: Optional[SelfFilter] = None, *,

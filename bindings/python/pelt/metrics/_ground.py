@@ -17,17 +17,17 @@ Doubles = npt.NDArray[np.float64]
 
 
 class Ground(NamedTuple):
-    """A body and the ground in F frames, see `ground`. All lengths are in model units."""
+    """A body and the ground in F frames, see `ground`. All lengths are in model units.
+
+    penetrate:  [F] how deep the lowest vertex is below the ground; 0 within the tolerance.
+    floating:   [F] how high the lowest vertex is above the ground; 0 within the tolerance.
+    skate:      [F - 1] mean horizontal displacement, from each frame to the next, of the vertices that are
+                on or below the ground in both; 0 without such vertices.
+    """
 
     penetrate: Doubles
-    """[F] how deep the lowest vertex is below the ground; 0 within the tolerance"""
-
     floating: Doubles
-    """[F] how high the lowest vertex is above the ground; 0 within the tolerance"""
-
     skate: Doubles
-    """[F - 1] mean horizontal displacement, from each frame to the next, of the vertices that are on or
-    below the ground in both; 0 without such vertices"""
 
 
 def ground(model: Model, poses: PosesLike, *, up: Array = (0, 0, 1), height: float = 0.0,

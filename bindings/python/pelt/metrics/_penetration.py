@@ -19,58 +19,57 @@ Doubles = npt.NDArray[np.float64]
 
 
 class InsideVertices(NamedTuple):
-    """Vertices of two bodies inside each other in F frames, see `vertices_inside`."""
+    """Vertices of two bodies inside each other in F frames, see `vertices_inside`.
+
+    count_a:     [F] number of vertices of a inside b.
+    count_b:     [F] number of vertices of b inside a.
+    fraction_a:  [F] count_a / number of vertices of a.
+    fraction_b:  [F] count_b / number of vertices of b.
+    """
 
     count_a: Counts
-    """[F] number of vertices of a inside b"""
-
     count_b: Counts
-    """[F] number of vertices of b inside a"""
-
     fraction_a: Doubles
-    """[F] count_a / number of vertices of a"""
-
     fraction_b: Doubles
-    """[F] count_b / number of vertices of b"""
 
 
 class PenetrationFrames(NamedTuple):
-    """Frames with penetration, see `penetration_frames`."""
+    """Frames with penetration, see `penetration_frames`.
+
+    collides:       [F] whether the bodies penetrate each other.
+    frame_percent:  100 x frames with penetration / F.
+    penetration:    mean over the frames with penetration of (fraction_a + fraction_b) / 2; 0 without any.
+    """
 
     collides: Flags
-    """[F] whether the bodies penetrate each other"""
-
     frame_percent: float
-    """100 x frames with penetration / F"""
-
     penetration: float
-    """mean over the frames with penetration of (fraction_a + fraction_b) / 2; 0 without any"""
 
 
 class Depth(NamedTuple):
-    """Depth of the deepest vertex in F frames, see `depth`."""
+    """Depth of the deepest vertex in F frames, see `depth`.
+
+    per_frame:  [F] in model units; 0 without penetration.
+    deepest:    the largest of all frames.
+    mean:       the mean of all frames, those without penetration included.
+    """
 
     per_frame: Doubles
-    """[F] in model units; 0 without penetration"""
-
     deepest: float
-    """the largest of all frames"""
-
     mean: float
-    """the mean of all frames, those without penetration included"""
 
 
 class SummedDepth(NamedTuple):
-    """Depths of all vertices in F frames, see `summed_depth`."""
+    """Depths of all vertices in F frames, see `summed_depth`.
+
+    per_frame:      [F] in model units; 0 without penetration.
+    mean:           the mean of all frames, those without penetration included.
+    frame_percent:  100 x frames with penetration / F.
+    """
 
     per_frame: Doubles
-    """[F] in model units; 0 without penetration"""
-
     mean: float
-    """the mean of all frames, those without penetration included"""
-
     frame_percent: float
-    """100 x frames with penetration / F"""
 
 
 def vertices_inside(model_a: Model, poses_a: PosesLike, model_b: Model, poses_b: PosesLike, *,

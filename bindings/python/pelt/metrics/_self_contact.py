@@ -37,14 +37,15 @@ class Geodesics:
 
 
 class SelfContact(NamedTuple):
-    """Contacts of a body with itself in F frames, see `self_contact`."""
+    """Contacts of a body with itself in F frames, see `self_contact`.
+
+    distance:  [F, V] distance from the closest vertex that is far along the surface, in model units;
+               infinite if it is not less than the threshold.
+    vertex:    [F, V] that vertex, -1 for none.
+    """
 
     distance: npt.NDArray[np.float32]
-    """[F, V] distance from the closest vertex that is far along the surface, in model units; infinite if
-    it is not less than the threshold"""
-
     vertex: npt.NDArray[np.int32]
-    """[F, V] that vertex, -1 for none"""
 
     @property
     def touching(self) -> npt.NDArray[np.bool_]:

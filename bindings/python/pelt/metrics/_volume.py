@@ -21,23 +21,25 @@ _MAX_VOXELS = 50_000_000
 
 
 class Volumes(NamedTuple):
-    """Volumes in F frames."""
+    """Volumes in F frames.
+
+    value:  [F] in cubed model units.
+    error:  [F] the exact volume of the float32 posed surfaces differs from the value by at most this.
+    """
 
     value: Doubles
-    """[F] in cubed model units"""
-
     error: Doubles
-    """[F] the exact volume of the float32 posed surfaces differs from the value by at most this"""
 
 
 class VoxelVolume(NamedTuple):
-    """Volumes in F frames by voxels, see `voxel_intersection_volume`."""
+    """Volumes in F frames by voxels, see `voxel_intersection_volume`.
+
+    volume:   [F] in cubed model units.
+    percent:  [F] 100 x volume / volume of all voxels inside; 0 if there are none.
+    """
 
     volume: Doubles
-    """[F] in cubed model units"""
-
     percent: Doubles
-    """[F] 100 x volume / volume of all voxels inside; 0 if there are none"""
 
 
 def volume(model: Model, poses: PosesLike, *, threads: Optional[int] = None,
