@@ -2,6 +2,7 @@
 
 import inspect
 import itertools
+import pydoc
 import unittest
 
 import numpy as np
@@ -10,7 +11,7 @@ import generated_body
 import pelt
 from metric_shapes import (HERE, apart, boxes, boxes_at, brute_winding, ends_apart, sphere,
                            two_boxes)
-from pelt import body_models, metrics
+from pelt import body_models, datasets, metrics, motions
 from support import Case, box, box_model, moved
 
 
@@ -26,7 +27,16 @@ class Help(Case):
                 for part in ("Definition: ", "Source: ", units, r"[\[ ][FT][,\] ]|Arguments: see"):
                     self.assertRegex(text, part)
         for name in set(metrics.__all__) - set(functions):
-            self.assertTrue(inspect.getdoc(getattr(metrics, name)), name)
+            text = inspect.getdoc(getattr(metrics, name))
+            self.assertTrue(text, name)
+            for field in getattr(getattr(metrics, name), "_fields", ()):
+                self.assertRegex(text, rf"(?m)^{field}: +\S", name)
+
+    def test_signatures_are_short(self):
+        """Types are shown by their names, not as unions of the types that NumPy makes arrays of."""
+        for module in (metrics, body_models, datasets, motions):
+            self.assertNotIn("numpy._typing", pydoc.plain(pydoc.render_doc(module)))
+        self.assertIn("poses: 'PosesLike'", pydoc.plain(pydoc.render_doc(metrics.colliding_triangles)))
 
 
 class Collisions(Case):

@@ -1,5 +1,7 @@
 """`python -m pelt metrics`: a table of metrics of all clips of a folder."""
 
+from __future__ import annotations
+
 import argparse
 import csv
 import os

@@ -1,5 +1,7 @@
 """How a call runs: threads, and the progress bar."""
 
+from __future__ import annotations
+
 import contextlib
 import os
 import sys

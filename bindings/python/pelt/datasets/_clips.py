@@ -1,5 +1,7 @@
 """Which clips a folder has, and which of them are pairs."""
 
+from __future__ import annotations
+
 import csv
 import os
 import re

@@ -1,5 +1,7 @@
 """Metrics of pairs of clips: two bodies in one scene."""
 
+from __future__ import annotations
+
 from typing import Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np

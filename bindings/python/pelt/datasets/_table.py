@@ -1,5 +1,7 @@
 """Tables of measurements that survive their process."""
 
+from __future__ import annotations
+
 import csv
 import io
 import os
