@@ -303,6 +303,10 @@ class Parts(Case):
         self.assertFalse(model.is_closed)
         whole = metrics.BodyParts(self.rest, opened, np.zeros(len(self.rest), int))
         self.assertTrue(whole.model(0).is_closed)
+        corners = whole.poses(0, self.rest[np.newaxis]).positions[0][whole.faces(0)].astype(float)
+        self.assertTrue((whole.faces(0)[:len(opened)] == opened).all())
+        self.assertAlmostEqual(np.linalg.det(corners).sum() / 6, metrics.volume(
+            whole.model(0), whole.poses(0, self.rest[np.newaxis])).value[0], 6)
         pushed = self.rest.copy()
         pushed[self.rest[:, 0] > 0.25] -= [0.45, 0.2, 0]
         poses = np.stack([self.rest, pushed])

@@ -22,6 +22,7 @@ class _Part(NamedTuple):
     """A part, whose holes are closed by fans around the mean of each boundary."""
 
     model: Model
+    faces: Integers
     vertices: Integers
     """vertices of the body, in the order of the model"""
 
@@ -66,6 +67,11 @@ class BodyParts:
         """Returns the closed surface of a part, for queries with its `poses`."""
         return self._closed[part].model
 
+    def faces(self, part: int) -> Integers:
+        """Returns the triangles of `model`, [T', 3] indices of the vertices of `poses`: those of the body,
+        in its order, then the fans. To draw contacts, or to compute a number in another way."""
+        return self._closed[part].faces
+
     def poses(self, part: int, positions: Array) -> Vertices:
         """Returns the poses of a part.
 
@@ -109,9 +115,10 @@ def _closed_part(number: int, positions: Floats, faces: Integers, parts: Integer
             for index, loop in enumerate(loops)]
     own = np.zeros(len(positions), np.bool_)
     own[faces[of_part.any(axis=1)]] = True
-    part = _Part(None, vertices, [vertices[loop] for loop in loops], own)  # type: ignore[arg-type]
+    closed = np.concatenate([triangles, *fans])
+    part = _Part(None, closed, vertices, [vertices[loop] for loop in loops], own)  # type: ignore[arg-type]
     rest = _part_positions(part, positions[np.newaxis])[0]
-    model = Model(rest, np.concatenate([triangles, *fans]))
+    model = Model(rest, closed)
     if not model.is_closed:
         raise Error(f"parts: part {number} cannot be closed: more than two of its triangles meet at an "
                     "edge, or two that do not traverse it in opposite directions")
