@@ -46,11 +46,11 @@ the next run.
 """
 
 _AFTER_HELP = """
-columns: clip, body_model, options, every, frames, seconds, fps, gender; for each metric its mean over the
-frames, its max, and the frame of the max; volume_error, a bound of the error of each volume. For a clip,
-`volume` takes about ten times as long as the other metrics together. Tables of pairs have the columns
-clip_a, clip_b, body_model_a, body_model_b, gender_a and gender_b, and for each metric also the percentage
-of frames in which it is not 0.
+columns: clip, body_model, options, every, frames (that were measured), seconds and fps (of the file),
+gender; for each metric its mean over the measured frames, its max, and the frame of the max, counted in the
+frames of the file from 0; volume_error, a bound of the error of each volume. `contact` takes longer than the
+other metrics of a clip together. Tables of pairs have the columns clip_a, clip_b, body_model_a, body_model_b,
+gender_a and gender_b, and for each metric also the percentage of frames in which it is not 0.
 
 exit status: 0 if all rows are in the table, 1 if some could not be measured, 2 for invalid arguments.
 """
