@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 import generated_body
+from pelt import _command
 from support import SOURCE, Case
 
 EXAMPLES = SOURCE / "bindings" / "python" / "examples"
@@ -36,6 +37,8 @@ class Blocks(Case):
         return found
 
     def test_python(self):
+        self.assertEqual(_command.main(["metrics", "AMASS", "--body-model", "SMPLH_MALE.npz",
+                                        "--out", "table.csv"]), 0)
         names = {}
         for number, block in enumerate(self.blocks("python")):
             exec(compile(block, f"block {number + 1}", "exec"), names)
