@@ -86,6 +86,9 @@ def load(path: Path, *, fps: Optional[float] = None) -> Motion:
     Inter-X:  root_orient [F, 3], pose_body [F, 21, 3], pose_lhand [F, 15, 3], pose_rhand [F, 15, 3],
               trans [F, 3], betas [1, B], gender; jaw and eyes do not rotate
 
+    The mean pose of the hands that body models contain is not added: rotations of hands are those of
+    smplx with `flat_hand_mean=True` and `use_pca=False`.
+
     fps:      frames per second if the file does not state them. Those of Inter-X do not: they have 120.
 
     `poses` of another number of joints are read, too. Without `betas`, the motion has none, so it gets
