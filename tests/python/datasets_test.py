@@ -161,6 +161,15 @@ class Clips(Folder):
         generated_body.save_body(self.body, v_template=2 * keys["v_template"])
         self.assertGreater(volume(), 4 * old)
 
+    def test_row_of_another_measurement(self):
+        """Programs that collect rows of workers may mix them up."""
+        few = datasets.Measurement(self.data, self.body, ["colliding"], every=2)
+        with datasets.Table(self.table, datasets.Measurement(self.data, self.body, ["colliding"])) as table:
+            self.refuses("table.csv: the row of a/walk.npz is of another measurement", table.append,
+                         few("a/walk.npz"))
+            self.assertEqual(table.done, set())
+        self.assertEqual(read_rows(self.table), [])
+
     def test_without_betas(self):
         """The mean shape is a decision, not a default."""
         generated_body.save_motion(self.data / "a/walk.npz", betas=None)

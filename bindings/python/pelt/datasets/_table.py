@@ -49,7 +49,10 @@ class Table:
             raise
 
     def append(self, row: Row) -> None:
-        """Writes a row."""
+        """Writes a row. Raises `pelt.Error` if it is of another measurement."""
+        if not self._measure.has_made({column: str(value) for column, value in row.items()}):
+            raise Error(f"{self.path}: the row of {self._measure.item_of(row)} is of another measurement "
+                        "(other body models, options or frames)")
         self._write([row[column] for column in self._columns])
         self.done.add(self._measure.item_of(row))
 
