@@ -136,6 +136,18 @@ class Collisions(Case):
             self.assertEqual(metrics.colliding_triangles(model, poses, ignore).pairs[0], expected)
         self.refuses("expected joint_parents, or segments", metrics.smplify_x_filter, model)
 
+    def test_smplify_x_filter_of_neck_and_left_hand(self):
+        """The hands of SMPL, 22 and 23, are both in the neck, 12."""
+        at = {12: 0.0, 22: 1.5, 23: -1.5}
+        model = pelt.Model(*boxes(24))
+        poses = boxes_at(*([[at.get(joint, 16.0 * joint), 0.1, 0]] for joint in range(24)))
+        parents = [-1] + [0] * 23
+        shares = [metrics.colliding_triangles(model, poses, metrics.smplify_x_filter(
+            model, parents, ignored_pairs=ignored)).pairs[0]
+            for ignored in (metrics.SMPLIFY_X_IGNORED, metrics.SMPLIFY_X_IGNORED[:-1])]
+        self.assertGreater(shares[0], 0)
+        self.assertGreater(shares[1], shares[0])
+
 
 class Penetration(Case):
     def test_vertices_inside(self):

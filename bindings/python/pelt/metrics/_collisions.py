@@ -178,12 +178,14 @@ def smplify_x_filter(model: Model, joint_parents: Optional[Array] = None, *,
     Definition: a pair is left out if its triangles share a corner, if both are of one part, if the part
     of one is the parent of the other's, or if the two parts are an ignored pair. Use it as
     `colliding_triangles(model, poses, smplify_x_filter(model, parents))`.
-    Source: torch-mesh-isect, src/bvh_cuda_op.cu (`shareVertex`) and `FilterFaces`; smplify-x, cfg_files: `ign_part_pairs` "9,16 9,17 6,16 6,17
-    1,2 12,22".
+    Source: torch-mesh-isect, src/bvh_cuda_op.cu (`shareVertex`) and `FilterFaces`; smplify-x, cfg_files:
+    `ign_part_pairs` "9,16 9,17 6,16 6,17 1,2 12,22" for all body models.
 
     Misjudges: collisions within a part, such as a folded hand or belly, and between a part and its
-    parent, such as a forearm through its upper arm, never count. SMPLify-X keeps at most 128 T box
-    hits of T triangles; this filter has no cap.
+    parent, such as a forearm through its upper arm, never count. The pair 12,22 is the neck and the jaw
+    of SMPL-X. In SMPL and SMPL-H, 22 is a joint of the left hand: its contact with the neck is left out,
+    and that of the right hand counts. `ignored_pairs=SMPLIFY_X_IGNORED[:-1]` counts both. SMPLify-X
+    keeps at most 128 T box hits of T triangles; this filter has no cap.
     """
     if (joint_parents is None) == (segments is None) or (segments is None) != (segment_parents is None):
         raise Error("smplify_x_filter: expected joint_parents, or segments and segment_parents")
