@@ -330,6 +330,10 @@ class Parts(Case):
 
     def test_refused(self):
         self.refuses("parts: expected the shape", metrics.BodyParts, self.rest, self.faces, [0])
+        whole = metrics.BodyParts(self.rest, self.faces, np.zeros(len(self.rest), int))
+        self.refuses(r"part: no part 3, expected one of \[0\]", whole.model, 3)
+        self.refuses(r"positions: expected the shape \[F, 318, 3\] of the whole body, found \[1, 5, 3\]",
+                     whole.poses, 0, self.rest[np.newaxis, :5])
         wings = [[0, 1, 2], [1, 0, 3], [0, 1, 4]]
         self.refuses("part 7 cannot be closed: more than two", metrics.BodyParts,
                      np.eye(5, 3) + [[1, 2, 3]], wings, [7] * 5)

@@ -65,19 +65,28 @@ class BodyParts:
 
     def model(self, part: int) -> Model:
         """Returns the closed surface of a part, for queries with its `poses`."""
-        return self._closed[part].model
+        return self._part(part).model
 
     def faces(self, part: int) -> Integers:
         """Returns the triangles of `model`, [T', 3] indices of the vertices of `poses`: those of the body,
         in its order, then the fans. To draw contacts, or to compute a number in another way."""
-        return self._closed[part].faces
+        return self._part(part).faces
 
     def poses(self, part: int, positions: Array) -> Vertices:
         """Returns the poses of a part.
 
         positions:  [F, V, 3] posed vertices of the body, as from `pelt.posed_vertices`.
         """
-        return Vertices(_part_positions(self._closed[part], np.asarray(positions, np.float32)))
+        posed = np.asarray(positions, np.float32)
+        if posed.ndim != 3 or posed.shape[1:] != (len(self._parts), 3):
+            raise Error(f"positions: expected the shape [F, {len(self._parts)}, 3] of the whole body, found "
+                        f"{list(posed.shape)}")
+        return Vertices(_part_positions(self._part(part), posed))
+
+    def _part(self, part: int) -> _Part:
+        if part not in self._closed:
+            raise Error(f"part: no part {part}, expected one of {self.numbers}")
+        return self._closed[part]
 
     def vertices_inside(self, model: Model, poses: PosesLike, *,
                         threads: Optional[int] = None) -> npt.NDArray[np.bool_]:
