@@ -115,6 +115,40 @@ test('dual quaternions of either sign pose as the matrices do', () => {
   assert.throws(() => duals.setDualQuaternions(floats), /\[5\]/);
 });
 
+/** Rows of instances 0 and 1 with these pairs. */
+const rowsOf = (pairs) => pairs.reduce((rows, t, i) => (i % 2 ? [...rows, t] : [...rows, 0, 1, t]), []);
+
+test('a crowd is posed by dual quaternions, also in steps', () => {
+  const creature = pelt.generateCreature({ triangles: 2000, ...kDual });
+  const palettes = [0.1, 0.5, 0.3].map((seconds) => creature.palette('walk', seconds));
+  const duals = palettes.map(dualQuaternionsOf);
+  const poses = duals.map((floats) => {
+    const pose = creature.makePose();
+    pose.setDualQuaternions(floats);
+    return pose;
+  });
+  const [a, b, end] = poses;
+  const crowd = pelt.makeCrowd();
+  for (const instance of [0, 1]) crowd.setDualQuaternions(crowd.add(creature), duals[instance]);
+  const { count, contacts } = crowd.collide();
+  assert.deepEqual([...contacts], rowsOf([...pelt.collide(a, b).pairs]));
+  assert.ok(count > 500, `${count} contacts`);
+  crowd.beginStep();
+  crowd.setDualQuaternions(0, duals[2]);
+  const still = creature.makePose();
+  still.setDualQuaternions(duals[1]);
+  const moving = pelt.collideMoving({ from: a, to: end }, { from: b, to: still });
+  assert.deepEqual([...crowd.collideMoving().contacts], rowsOf([...moving.pairs]));
+  assert.ok(moving.count > count);
+
+  const refused = (use, message) => assert.throws(use, { code: 'invalid_argument', message });
+  refused(() => crowd.setDualQuaternions(0, palettes[0]), /^dualQuaternions: expected \d+ numbers/);
+  refused(() => crowd.setDualQuaternions(2, duals[0]), /the crowd has no instance 2/);
+  const wrong = duals[0].map((x, i) => (i === 8 * 5 + 3 ? x + 1 : x));
+  refused(() => crowd.setDualQuaternions(0, wrong), /^dual_quaternions\[5\]/);
+  for (const made of [crowd, ...poses, still, creature]) made.delete();
+});
+
 test('poses have the vertices of the command, bit for bit', () => {
   const scene = readSceneFile(kScene);
   const posed = posedByCommand(kScene, '--frame', '13');

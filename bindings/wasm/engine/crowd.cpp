@@ -274,6 +274,12 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_palette(CrowdHandle* handle, std::uint3
   return done(handle->crowd.set_palette(instance, handle->input));
 }
 
+/// JavaScript writes eight floats per joint.
+PELT_EXPORT std::uint32_t pelt_set_crowd_dual_quaternions(CrowdHandle* handle,
+                                                          std::uint32_t instance) {
+  return done(handle->crowd.set_dual_quaternions(instance, handle->input));
+}
+
 PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint32_t instance) {
   return done(handle->crowd.set_morph_weights(instance, handle->input));
 }

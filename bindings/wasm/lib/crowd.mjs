@@ -34,6 +34,13 @@ export class Crowd {
     this.#memory.accepted(module._pelt_set_crowd_palette(this.#handle, instance));
   }
 
+  setDualQuaternions(instance, dualQuaternions) {
+    const floats = 8 * this.#member(instance).character.jointCount;
+    this.#write(dualQuaternions, floats, 'dualQuaternions');
+    const { module } = this.#memory;
+    this.#memory.accepted(module._pelt_set_crowd_dual_quaternions(this.#handle, instance));
+  }
+
   setMorphWeights(instance, weights) {
     const { character } = this.#member(instance);
     this.#write(weights, character.morphTargetNames.length, 'weights');

@@ -91,6 +91,9 @@ export interface Crowd {
   add(character: Character, part?: number | null): number;
   /** Like `Pose.setPalette`. */
   setPalette(instance: number, palette: Float32Array | Float64Array): void;
+  /** Like `Pose.setDualQuaternions`. */
+  setDualQuaternions(instance: number, dualQuaternions: Float32Array): void;
+  /** Like `Pose.setMorphWeights`. */
   setMorphWeights(instance: number, weights: Float32Array): void;
   /**
    * With a filter, `collide` and `collideMoving` also test the instance against itself. With null, they do
@@ -118,8 +121,8 @@ export interface Crowd {
   collide(options?: CollideOptions): CrowdContacts;
   /**
    * Begins a step for `collideMoving`: the present poses of all instances become the start of the step. The
-   * first `setPalette` or `setMorphWeights` of an instance after this call begins its motion. Later calls
-   * change the end of the motion. An instance without such a call stands still.
+   * first `setPalette`, `setDualQuaternions` or `setMorphWeights` of an instance after this call begins its
+   * motion. Later calls change the end of the motion. An instance without such a call stands still.
    */
   beginStep(): void;
   /**
