@@ -6,14 +6,22 @@ namespace pelt::detail {
 
 ExactPose::ExactPose(const Tree& tree) : tree_(tree), instance_(tree) { close_all(); }
 
+void ExactPose::copy(const Instance& posed) {
+  instance_.palette = posed.palette;
+  instance_.given = posed.given;
+  close_all();
+}
+
 Result<void> ExactPose::set_morph_weights(std::span<const float> weights) {
   return instance_.palette.set_morph_weights(weights);
 }
 
 Result<void> ExactPose::set_palette(std::span<const Matrix4> palette) {
   Result<void> taken = instance_.palette.set(palette);
-  if (taken) close_all();
-  return taken;
+  if (!taken) return taken;
+  instance_.given = {};
+  close_all();
+  return {};
 }
 
 void ExactPose::close_all() {

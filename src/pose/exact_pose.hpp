@@ -15,6 +15,10 @@ class ExactPose {
   /// The rest pose, with no node open yet. `tree` must outlive this.
   explicit ExactPose(const Tree& tree);
 
+  /// Copies what poses the vertices of an instance of the same tree, and closes all nodes. Borrows
+  /// its given vertices.
+  void copy(const Instance& posed);
+
   /// Copies the morph weights for the next palette, or returns an error if they are invalid.
   Result<void> set_morph_weights(std::span<const float> weights);
 

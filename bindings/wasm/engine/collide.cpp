@@ -16,15 +16,12 @@ std::vector<Contact>& found() {
   return found;
 }
 
-/// Copies palette and weights to the eager pose, and skins all of it.
+/// Copies the pose to the eager pose, and skins all of it.
 QueryStats open_all(PoseHandle& handle) {
-  const detail::Palette& palette = handle.pose.detail().palette;
   if (!handle.eager) handle.eager.emplace(handle.pose.model().detail().tree);
-  detail::ExactPose& eager = *handle.eager;
-  if (!handle.morphs.empty()) (void)eager.set_morph_weights(palette.morphs().all());
-  (void)eager.set_palette(palette.joints());
+  handle.eager->copy(handle.pose.detail());
   handle.is_refitted = true;
-  return eager.open_all();
+  return handle.eager->open_all();
 }
 
 /// Converts to the characters' triangle numbers.
