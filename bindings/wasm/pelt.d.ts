@@ -26,6 +26,7 @@ import type {
   CreatureOptions,
   FaceOptions,
   Files,
+  MeshArrays,
   ModelOptions,
   ReadOptions,
 } from './types/character.js';
@@ -106,6 +107,14 @@ export interface Pelt {
 
   /** Generates a human face with morph targets and the clip "talk". */
   generateFace(options?: FaceOptions): Character;
+
+  /**
+   * Makes a character from the arrays of a mesh, which are copied. It has no clips, and one joint, which all
+   * vertices follow: a palette of one matrix places the mesh, and `Pose.setVertices` deforms it. Rejects a
+   * mesh without triangles, indices out of range, and coordinates that are not finite or beyond 2^60.
+   * Cost: that of `readCharacter`.
+   */
+  makeCharacter(mesh: MeshArrays): Character;
 
   /**
    * Reads a scene file (docs/scenes.md) and prepares its characters like `pelt check`. Queries of the

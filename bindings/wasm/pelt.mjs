@@ -20,6 +20,7 @@ import {
 import {
   kCreatureRules,
   kFaceRules,
+  kMeshRules,
   kModelRules,
   kReadRules,
   readObject,
@@ -48,6 +49,12 @@ export { ContactKind } from './lib/queries.mjs';
 export async function loadPelt() {
   requireSimd();
   return new Pelt(new Memory(await makeModule()));
+}
+
+/** three.js has indices of 16 bits for small meshes. */
+function indicesOf(triangles, name) {
+  const indices = triangles instanceof Uint16Array ? Uint32Array.from(triangles) : triangles;
+  return check.rows(indices, 3, name);
 }
 
 class Pelt {
@@ -101,6 +108,23 @@ class Pelt {
   generateFace(options = {}) {
     return this.#withOptions(readObject(this.#memory, options, kFaceRules), (json) =>
       this.#character(this.#module._pelt_generate_face(json)),
+    );
+  }
+
+  makeCharacter(mesh) {
+    const arrays = { name: 'mesh', weld: false, ...readObject(this.#memory, mesh, kMeshRules, 'mesh') };
+    const { restPositions, triangles, ...options } = arrays;
+    const positions = check.rows(restPositions, 3, 'mesh.restPositions', Float32Array);
+    const indices = indicesOf(triangles, 'mesh.triangles');
+    const sizes = [positions, indices].map(({ length }) => length / 3);
+    return this.#memory.withBytes(positions, (vertices) =>
+      this.#memory.withBytes(indices, (corners) =>
+        this.#withOptions(options, (json) =>
+          this.#character(
+            this.#module._pelt_make_character(vertices, sizes[0], corners, sizes[1], json),
+          ),
+        ),
+      ),
     );
   }
 

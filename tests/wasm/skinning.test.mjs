@@ -147,7 +147,7 @@ test('a crowd is posed by dual quaternions, also in steps', () => {
   refused(() => crowd.setDualQuaternions(0, palettes[0]), /^dualQuaternions: expected \d+ numbers/);
   refused(() => crowd.setDualQuaternions(2, duals[0]), /the crowd has no instance 2/);
   const wrong = duals[0].map((x, i) => (i === 8 * 5 + 3 ? x + 1 : x));
-  refused(() => crowd.setDualQuaternions(0, wrong), /^dual_quaternions\[5\]/);
+  refused(() => crowd.setDualQuaternions(0, wrong), /^dualQuaternions\[5\]/);
   for (const made of [crowd, ...poses, still, creature]) made.delete();
 });
 

@@ -1,5 +1,7 @@
 #include "bindings/wasm/engine/answer.hpp"
 
+#include "bindings/wasm/engine/words.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
@@ -114,7 +116,9 @@ std::uint32_t refuse(Error error) {
   return 0;
 }
 
-std::uint32_t done(const Result<void>& result) { return result ? 1 : refuse(result.error()); }
+std::uint32_t done(const Result<void>& result) {
+  return result ? 1 : refuse(in_words_of_javascript(result.error()));
+}
 
 PELT_EXPORT const Answer* pelt_answer() { return &answer(); }
 

@@ -71,7 +71,7 @@ const char* answer_json(const nlohmann::json& json);
 /// Stores the error, which JavaScript reads next, and returns 0.
 std::uint32_t refuse(Error error);
 
-/// Returns 1, or `refuse` of the error.
+/// Returns 1, or `refuse` of the library's error, in words of JavaScript.
 std::uint32_t done(const Result<void>& result);
 
 }  // namespace pelt::wasm

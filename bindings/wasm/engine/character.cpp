@@ -8,6 +8,7 @@
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/options.hpp"
 #include "bindings/wasm/engine/seams.hpp"
+#include "bindings/wasm/engine/words.hpp"
 #include "bounds/level_boxes.hpp"
 #include "model/model.hpp"
 #include "model/surface.hpp"
@@ -24,15 +25,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Replaces C++ names in a remedy with those of JavaScript.
-Error in_words_of_javascript(const std::string& source, const Error& error) {
-  Error said = asset::prefixed(source, error);
-  const std::string in_code = "off_weights = OffWeights::renormalise";
-  if (const std::size_t at = said.message.find(in_code); at != said.message.npos)
-    said.message.replace(at, in_code.size(), "renormalise: true");
-  return said;
-}
-
 /// Builds a model. Skips sample poses that are not valid for the model.
 Result<SkinnedModel> build(const asset::Asset& asset, const SkinnedMeshView& mesh,
                            const Preparation& preparation) {
@@ -41,6 +33,7 @@ Result<SkinnedModel> build(const asset::Asset& asset, const SkinnedMeshView& mes
   ModelOptions options;
   if (preparation.renormalise) options.off_weights = OffWeights::renormalise;
   options.skinning = preparation.skinning.value_or(Skinning::linear);
+  options.weld = preparation.weld;
   options.sample_palettes = samples;
   Result<SkinnedModel> model = build_model(mesh, options);
   if (model || samples.empty()) return model;
@@ -95,6 +88,22 @@ std::uint32_t prepare_generated(Result<scenes::Character> generated, const Optio
   if (const std::string name = options.text("name"); generated && !name.empty())
     generated->name = name;
   return prepare_read(std::move(generated), options);
+}
+
+/// Returns a character whose vertices all follow one joint.
+scenes::Character make_character(const std::string& name, std::span<const Vec3> rest_positions,
+                                 std::span<const Triangle> triangles) {
+  asset::Asset asset;
+  asset.rest_positions.assign(rest_positions.begin(), rest_positions.end());
+  asset.triangles.assign(triangles.begin(), triangles.end());
+  asset.joint_indices.resize(rest_positions.size());
+  asset.weights.assign(rest_positions.size(), 1);
+  asset.joints.emplace_back();
+  asset.nodes.emplace_back().name = name;
+  asset::Part& part = asset.parts.emplace_back();
+  part.node = name;
+  part.triangle_count = static_cast<std::uint32_t>(triangles.size());
+  return {name, name, 0, std::move(asset)};
 }
 
 json describe_parts(const asset::Asset& asset) {
@@ -158,7 +167,7 @@ Result<Body*> Character::body(std::uint32_t number) {
   SkinnedMeshView mesh = asset().mesh();
   mesh.triangles = mesh.triangles.subspan(part.first_triangle, part.triangle_count);
   Result<SkinnedModel> model = build(asset(), mesh, preparation);
-  if (!model) return in_words_of_javascript(read.source, model.error());
+  if (!model) return asset::prefixed(read.source, in_words_of_javascript(model.error()));
   parts[number] = std::make_unique<Body>(Body{std::move(*model), part.first_triangle, {}});
   return parts[number].get();
 }
@@ -176,7 +185,7 @@ asset::SampleScratch& sample_scratch() {
 Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation) {
   if (!preparation.skinning) preparation.skinning = read.skinning;
   Result<SkinnedModel> model = build(read.asset, read.asset.mesh(), preparation);
-  if (!model) return in_words_of_javascript(read.source, model.error());
+  if (!model) return asset::prefixed(read.source, in_words_of_javascript(model.error()));
   return CharacterHandle{std::make_shared<Character>(
       Character{std::move(read), std::move(preparation), {std::move(*model), 0, {}}, {}, {}})};
 }
@@ -186,6 +195,15 @@ PELT_EXPORT std::uint32_t pelt_read_character(const std::byte* file, std::uint32
   const Result<Options> read = Options::read(options);
   if (!read) return refuse(read.error());
   return prepare_read(read_character({file, size}, *read), *read);
+}
+
+PELT_EXPORT std::uint32_t pelt_make_character(const Vec3* rest_positions, std::uint32_t vertices,
+                                              const Triangle* triangles, std::uint32_t count,
+                                              const char* options) {
+  const Result<Options> read = Options::read(options);
+  if (!read) return refuse(read.error());
+  return prepare_read(
+      make_character(read->text("name"), {rest_positions, vertices}, {triangles, count}), *read);
 }
 
 PELT_EXPORT std::uint32_t pelt_generate_creature(const char* options) {

@@ -22,6 +22,7 @@ struct Preparation {
   std::vector<const asset::Clip*> clips;  ///< sources of sample poses
   std::uint32_t samples = 6;
   bool renormalise = false;
+  bool weld = true;
   std::optional<Skinning> skinning;  ///< nothing: as the scene says, or linear
 };
 

@@ -50,14 +50,15 @@ Preparation Options::preparation() const {
   Preparation preparation;
   preparation.samples = count("samples", preparation.samples);
   preparation.renormalise = flag("renormalise");
+  preparation.weld = flag("weld", preparation.weld);
   for (const Skinning skinning : {Skinning::linear, Skinning::dual_quaternion})
     if (text("skinning") == scenes::name_of(skinning)) preparation.skinning = skinning;
   return preparation;
 }
 
-bool Options::flag(const char* key) const {
+bool Options::flag(const char* key, bool otherwise) const {
   const auto found = values_.find(key);
-  return found != values_.end() && found->is_boolean() && found->get<bool>();
+  return found != values_.end() && found->is_boolean() ? found->get<bool>() : otherwise;
 }
 
 std::uint32_t Options::count(const char* key, std::uint32_t otherwise) const {

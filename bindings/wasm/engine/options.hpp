@@ -34,7 +34,7 @@ class Options {
  private:
   explicit Options(nlohmann::json values) : values_(std::move(values)) {}
 
-  bool flag(const char* key) const;
+  bool flag(const char* key, bool otherwise = false) const;
   std::uint32_t count(const char* key, std::uint32_t otherwise) const;
 
   nlohmann::json values_;

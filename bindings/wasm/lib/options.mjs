@@ -32,6 +32,7 @@ const skinning = (value, name) => check.oneOf(value, ['linear', 'dual-quaternion
 export const kModelRules = {
   meshoptDecode: check.callable,
   renormalise: check.flag,
+  weld: check.flag,
   skinning,
   noUnskinned: check.flag,
   exclude: check.texts,
@@ -44,9 +45,18 @@ export const kFaceRules = {
   name: check.text,
   clips: check.texts,
   samples: check.count,
+  weld: check.flag,
   skinning,
   triangles: check.count,
   seed: check.count,
+};
+
+/** The arrays are checked when they are passed on. */
+export const kMeshRules = {
+  name: check.text,
+  restPositions: (positions) => positions,
+  triangles: (triangles) => triangles,
+  weld: check.flag,
 };
 
 export const kCreatureRules = { ...kFaceRules, joints: check.count };

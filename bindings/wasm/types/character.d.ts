@@ -28,6 +28,11 @@ export interface ModelOptions {
   /** Accept weights that do not sum to 1, and divide them by their sum, as renderers do. */
   renormalise?: boolean;
   /**
+   * Whether vertices that are equal in every bit are merged, which makes queries faster. Files repeat such
+   * vertices at seams of textures. Use false if `Pose.setVertices` will move them apart. Default true.
+   */
+  weld?: boolean;
+  /**
    * How the joints of a vertex are blended. Model files do not say it. Default: as the scene file
    * says, or 'linear'. Dual quaternions move every vertex rigidly, so that twisted limbs do not
    * collapse; joints must have no scale.
@@ -57,6 +62,7 @@ export interface CreatureOptions {
   clips?: readonly string[]; // as in ReadOptions
   samples?: number; // as in ReadOptions
   skinning?: 'linear' | 'dual-quaternion'; // as in ModelOptions
+  weld?: boolean; // as in ModelOptions
   triangles?: number; // 1,000 to 1,000,000; default 13,590
   joints?: number; // 20 to 64; default 56
   seed?: number; // proportions; default 1
@@ -67,8 +73,24 @@ export interface FaceOptions {
   clips?: readonly string[]; // as in ReadOptions
   samples?: number; // as in ReadOptions
   skinning?: 'linear' | 'dual-quaternion'; // as in ModelOptions
+  weld?: boolean; // as in ModelOptions
   triangles?: number; // 1,000 to 200,000; default 4,000
   seed?: number; // default 1
+}
+
+/**
+ * A mesh as arrays, for `Pelt.makeCharacter`. With three.js, `restPositions` is the array of the attribute
+ * `position` of a BufferGeometry, and `triangles` that of its index.
+ */
+export interface MeshArrays {
+  /** Name of the character in messages. Default "mesh". */
+  name?: string;
+  /** [V][3] Positions before the palette places them. */
+  restPositions: Float32Array;
+  /** [T][3] Vertex indices. */
+  triangles: Uint32Array | Uint16Array;
+  /** As in ModelOptions, but by default false. */
+  weld?: boolean;
 }
 
 /** A range of triangles that came from one primitive of the file. */

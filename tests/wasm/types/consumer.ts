@@ -44,6 +44,7 @@ import {
   type Instance,
   type LeftOut,
   loadPelt,
+  type MeshArrays,
   type MeshoptDecode,
   type ModelOptions,
   type Motion,
@@ -101,6 +102,7 @@ const decode: MeshoptDecode = (
 const modelOptions: ModelOptions = {
   meshoptDecode: decode,
   renormalise: true,
+  weld: true,
   skinning: 'dual-quaternion',
   noUnskinned: false,
   exclude: ['cape'],
@@ -460,6 +462,13 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
   crowd.delete();
 }
 
+function useMesh(pelt: Pelt, { restPositions, triangles }: Character): void {
+  const arrays: MeshArrays = { name: 'statue', restPositions, triangles, weld: false };
+  const statue: Character = pelt.makeCharacter(arrays);
+  check(statue.jointCount === 1, 'mesh');
+  statue.delete();
+}
+
 function useDemo(pelt: Pelt): void {
   const text = Uint8Array.from(pelt.demoScene, (letter) => letter.charCodeAt(0));
   const files: Files = new Map([['demo.json', text]]);
@@ -516,5 +525,6 @@ const walker = pelt.generateCreature(creatureOptions);
 useCharacter(walker);
 useScene(pelt, walker);
 useMorphs(pelt.generateFace(faceOptions));
+useMesh(pelt, walker);
 useDemo(pelt);
 check(walker.palette('walk', 0.5, undefined, new Float32Array(16 * 30)).length === 480, 'palette');
