@@ -33,6 +33,7 @@ struct CrowdHandle {
   std::vector<scenes::NamePair> ignore;
   std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; created on first use
   std::vector<float> input;                     ///< where JavaScript writes a palette or weights
+  std::vector<Vec3> vertices;                   ///< the same for vertices
   std::vector<CrowdContact> found;
   std::vector<CrowdMovingContact> moving;
 
@@ -282,6 +283,16 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_dual_quaternions(CrowdHandle* handle,
 
 PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint32_t instance) {
   return done(handle->crowd.set_morph_weights(instance, handle->input));
+}
+
+/// Returns memory where JavaScript writes the positions of all vertices of an instance.
+PELT_EXPORT float* pelt_crowd_vertices(CrowdHandle* handle, std::uint32_t instance) {
+  handle->vertices.resize(handle->crowd.model(instance).vertex_count());
+  return &handle->vertices.data()->x;
+}
+
+PELT_EXPORT std::uint32_t pelt_set_crowd_vertices(CrowdHandle* handle, std::uint32_t instance) {
+  return done(handle->crowd.set_vertices(instance, handle->vertices));
 }
 
 /// Answers with the stats, the numbers of ignored contacts and of those that filters have left out,

@@ -73,7 +73,7 @@ struct PoseHandle {
   Pose pose;
   std::vector<Matrix4> palette;  ///< written by JavaScript before it is set
   std::vector<float> morphs;
-  std::vector<Vec3> vertices, normals;     ///< read by JavaScript
+  std::vector<Vec3> vertices, normals;     ///< read by JavaScript, which also writes vertices
   std::optional<detail::ExactPose> eager;  ///< for collideEagerly
   std::optional<Pose> whole;               ///< all nodes opened, for nodeBoxes
   bool has_vertices = false;               ///< whether `vertices` is up to date

@@ -56,6 +56,20 @@ PELT_EXPORT std::uint32_t pelt_set_morph_weights(PoseHandle* handle) {
   return done(handle->pose.set_morph_weights(handle->morphs));
 }
 
+/// Returns memory where JavaScript writes the positions of all vertices.
+PELT_EXPORT float* pelt_given_vertices(PoseHandle* handle) {
+  handle->has_vertices = false;
+  handle->vertices.resize(handle->pose.model().vertex_count());
+  return &handle->vertices.data()->x;
+}
+
+PELT_EXPORT std::uint32_t pelt_set_vertices(PoseHandle* handle) {
+  handle->moved();
+  const Result<void> set = handle->pose.set_vertices(handle->vertices);
+  handle->has_vertices = static_cast<bool>(set);
+  return done(set);
+}
+
 PELT_EXPORT void pelt_posed_vertices(PoseHandle* handle) {
   answer_data<Vec3>(pose_vertices(*handle));
 }

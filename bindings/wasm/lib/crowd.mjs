@@ -48,6 +48,12 @@ export class Crowd {
     this.#memory.accepted(module._pelt_set_crowd_weights(this.#handle, instance));
   }
 
+  setVertices(instance, vertices) {
+    this.#writeVertices(instance, vertices, 'vertices');
+    const { module } = this.#memory;
+    this.#memory.accepted(module._pelt_set_crowd_vertices(this.#handle, instance));
+  }
+
   setSelfFilter(instance, filter) {
     const { character, part } = this.#member(instance);
     const given = filter === null ? 0 : filterOf(this.#memory, filter, character, part);
@@ -154,6 +160,12 @@ export class Crowd {
     const member = this.#members[check.count(instance, 'instance')];
     if (member !== undefined) return member;
     throw invalid(`instance: the crowd has no instance ${instance}`);
+  }
+
+  #writeVertices(instance, numbers, name) {
+    const floats = 3 * this.#member(instance).character.vertexCount;
+    const address = this.#memory.module._pelt_crowd_vertices(this.#handle, instance);
+    this.#memory.write(Float32Array, address, numbers, floats, name);
   }
 
   #write(numbers, floats, name) {

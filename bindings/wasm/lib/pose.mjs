@@ -48,6 +48,13 @@ export class Pose {
     this.#memory.accepted(module._pelt_set_morph_weights(this.#handle));
   }
 
+  setVertices(vertices) {
+    const { module } = this.#memory;
+    const address = module._pelt_given_vertices(this.#handle);
+    this.#memory.write(Float32Array, address, vertices, 3 * this.character.vertexCount, 'vertices');
+    this.#memory.accepted(module._pelt_set_vertices(this.#handle));
+  }
+
   posedVertices(out = undefined) {
     this.#memory.module._pelt_posed_vertices(this.#handle);
     return this.#memory.data(Float32Array, 3, out);

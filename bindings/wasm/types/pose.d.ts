@@ -21,6 +21,16 @@ export interface Pose {
   /** Copies [M] morph weights. */
   setMorphWeights(weights: Float32Array): void;
 
+  /**
+   * Copies [V][3] positions of all vertices, in the frame shared by all poses of a query. All queries then
+   * answer as if joints had posed the vertices to these positions. Use this for cloth, simulations and other
+   * surfaces that do not follow joints. A pose of a part also takes the vertices of the whole character.
+   * `setPalette`, `setDualQuaternions`, `setMorphWeights` and `Scene.setPose` end this. Rejects coordinates
+   * that are NaN or beyond 2^60, and vertices that differ although the character has merged them (see
+   * `ModelOptions.weld`).
+   */
+  setVertices(vertices: Float32Array): void;
+
   /** Returns [V][3] posed positions, exactly as queries use them. */
   posedVertices(out?: Float32Array): Float32Array;
 

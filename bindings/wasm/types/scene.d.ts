@@ -95,6 +95,8 @@ export interface Crowd {
   setDualQuaternions(instance: number, dualQuaternions: Float32Array): void;
   /** Like `Pose.setMorphWeights`. */
   setMorphWeights(instance: number, weights: Float32Array): void;
+  /** Like `Pose.setVertices`. */
+  setVertices(instance: number, vertices: Float32Array): void;
   /**
    * With a filter, `collide` and `collideMoving` also test the instance against itself. With null, they do
    * not. The filter must have been made for the character and the part of the instance, and may be deleted
@@ -121,8 +123,8 @@ export interface Crowd {
   collide(options?: CollideOptions): CrowdContacts;
   /**
    * Begins a step for `collideMoving`: the present poses of all instances become the start of the step. The
-   * first `setPalette`, `setDualQuaternions` or `setMorphWeights` of an instance after this call begins its
-   * motion. Later calls change the end of the motion. An instance without such a call stands still.
+   * first `setPalette`, `setDualQuaternions`, `setMorphWeights` or `setVertices` of an instance after this call
+   * begins its motion. Later calls change the end of the motion. An instance without such a call stands still.
    */
   beginStep(): void;
   /**

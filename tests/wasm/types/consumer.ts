@@ -466,6 +466,8 @@ function useMesh(pelt: Pelt, { restPositions, triangles }: Character): void {
   const arrays: MeshArrays = { name: 'statue', restPositions, triangles, weld: false };
   const statue: Character = pelt.makeCharacter(arrays);
   check(statue.jointCount === 1, 'mesh');
+  const pose: Pose = statue.makePose();
+  pose.setVertices(restPositions);
   statue.delete();
 }
 
