@@ -90,8 +90,8 @@ class Pelt {
     const bytes = check.bytes(file, 'file');
     const read = (folder) =>
       this.#memory.withBytes(bytes, (address) =>
-        this.#withOptions({ ...rest, name, folder }, (json) =>
-          this.#character(this.#module._pelt_read_character(address, bytes.length, json)),
+        this.#prepare({ ...rest, name, folder }, (...prepared) =>
+          this.#module._pelt_read_character(address, bytes.length, ...prepared),
         ),
       );
     return withDecoder(this.#memory, meshoptDecode, () =>
@@ -100,14 +100,14 @@ class Pelt {
   }
 
   generateCreature(options = {}) {
-    return this.#withOptions(readObject(this.#memory, options, kCreatureRules), (json) =>
-      this.#character(this.#module._pelt_generate_creature(json)),
+    return this.#prepare(readObject(this.#memory, options, kCreatureRules), (...prepared) =>
+      this.#module._pelt_generate_creature(...prepared),
     );
   }
 
   generateFace(options = {}) {
-    return this.#withOptions(readObject(this.#memory, options, kFaceRules), (json) =>
-      this.#character(this.#module._pelt_generate_face(json)),
+    return this.#prepare(readObject(this.#memory, options, kFaceRules), (...prepared) =>
+      this.#module._pelt_generate_face(...prepared),
     );
   }
 
@@ -119,10 +119,8 @@ class Pelt {
     const sizes = [positions, indices].map(({ length }) => length / 3);
     return this.#memory.withBytes(positions, (vertices) =>
       this.#memory.withBytes(indices, (corners) =>
-        this.#withOptions(options, (json) =>
-          this.#character(
-            this.#module._pelt_make_character(vertices, sizes[0], corners, sizes[1], json),
-          ),
+        this.#prepare(options, (...prepared) =>
+          this.#module._pelt_make_character(vertices, sizes[0], corners, sizes[1], ...prepared),
         ),
       ),
     );
@@ -236,7 +234,15 @@ class Pelt {
     return new ContactTally(this.#memory);
   }
 
-  #character(handle) {
+  /** Returns the character that `make(caps, count, json)` makes: with caps of vertices, and other options. */
+  #prepare({ offsetCaps, ...options }, make) {
+    const isSame = typeof offsetCaps === 'number';
+    const caps = isSame || offsetCaps === undefined ? new Float32Array(0) : offsetCaps;
+    const handle = this.#memory.withBytes(caps, (address) =>
+      this.#withOptions(isSame ? { ...options, offsetCaps } : options, (json) =>
+        make(address, caps.length, json),
+      ),
+    );
     return new Character(this.#memory, this.#memory.accepted(handle));
   }
 

@@ -32,6 +32,7 @@ constexpr Field kFields[] = {
     {"posedVertices", offsetof(Answer, posed_vertices), 1},
     {"trianglePairs", offsetof(Answer, triangle_pairs), 1},
     {"displacements", offsetof(Answer, displacements), 1},
+    {"clampedOffsets", offsetof(Answer, clamped_offsets), 1},
     {"cutShort", offsetof(Answer, cut_short), 1},
     {"doublePairs", offsetof(Answer, double_pairs), 1},
     {"exactPairs", offsetof(Answer, exact_pairs), 1},
@@ -82,6 +83,7 @@ void answer_stats(const QueryStats& stats) {
   answered.posed_vertices = static_cast<double>(stats.posed_vertices);
   answered.triangle_pairs = static_cast<double>(stats.triangle_pairs);
   answered.displacements = static_cast<double>(stats.displacements);
+  answered.clamped_offsets = static_cast<double>(stats.clamped_offsets);
   answered.cut_short = stats.cut_short ? 1 : 0;
 }
 

@@ -30,6 +30,7 @@ inline Numbers3 numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 /// places that `pelt_answer_layout` lists.
 struct Answer {
   double node_pairs = 0, refits = 0, posed_vertices = 0, triangle_pairs = 0, displacements = 0;
+  double clamped_offsets = 0;
   double cut_short = 0;                      ///< 1: yes
   double double_pairs = 0, exact_pairs = 0;  ///< of queries of motions
   double distance = 0, lower_bound = 0;      ///< of two surfaces, or of a surface and a point

@@ -26,8 +26,9 @@ namespace {
 using nlohmann::json;
 
 /// Builds a model. Skips sample poses that are not valid for the model.
-Result<SkinnedModel> build(const asset::Asset& asset, const SkinnedMeshView& mesh,
+Result<SkinnedModel> build(const asset::Asset& asset, SkinnedMeshView mesh,
                            const Preparation& preparation) {
+  mesh.offset_caps = preparation.offset_caps;
   const std::vector<Matrix4> samples =
       scenes::clip_samples(asset, preparation.clips, preparation.samples);
   ModelOptions options;
@@ -56,9 +57,14 @@ std::uint32_t answer_handle(Result<CharacterHandle> handle) {
   return address_of(new CharacterHandle(std::move(*handle)));
 }
 
-/// Returns the clips named in the options, or the first clips.
-Result<Preparation> choose_preparation(const asset::Asset& asset, const Options& options) {
+/// Uses the clips named in the options, or the first clips. `caps` are those of the vertices, or
+/// empty if the options have one for all vertices, or none.
+Result<Preparation> choose_preparation(const asset::Asset& asset, std::span<const float> caps,
+                                       const Options& options) {
   Preparation preparation = options.preparation();
+  preparation.offset_caps.assign(caps.begin(), caps.end());
+  if (const std::optional<float> cap = options.number("offsetCaps"))
+    preparation.offset_caps.assign(asset.rest_positions.size(), *cap);
   const std::optional<std::vector<std::string>> names = options.texts("clips");
   if (!names) {
     preparation.clips = scenes::first_clips(asset, preparation.samples);
@@ -77,17 +83,19 @@ Result<Preparation> choose_preparation(const asset::Asset& asset, const Options&
   return preparation;
 }
 
-std::uint32_t prepare_read(Result<scenes::Character> read, const Options& options) {
+std::uint32_t prepare_read(Result<scenes::Character> read, std::span<const float> caps,
+                           const Options& options) {
   if (!read) return refuse(read.error());
-  const Result<Preparation> preparation = choose_preparation(read->asset, options);
+  const Result<Preparation> preparation = choose_preparation(read->asset, caps, options);
   if (!preparation) return refuse(asset::prefixed(read->name, preparation.error()));
   return answer_handle(prepare(std::move(*read), *preparation));
 }
 
-std::uint32_t prepare_generated(Result<scenes::Character> generated, const Options& options) {
+std::uint32_t prepare_generated(Result<scenes::Character> generated, std::span<const float> caps,
+                                const Options& options) {
   if (const std::string name = options.text("name"); generated && !name.empty())
     generated->name = name;
-  return prepare_read(std::move(generated), options);
+  return prepare_read(std::move(generated), caps, options);
 }
 
 /// Returns a character whose vertices all follow one joint.
@@ -190,32 +198,39 @@ Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation)
       Character{std::move(read), std::move(preparation), {std::move(*model), 0, {}}, {}, {}})};
 }
 
+/// The parameters `caps` and `options`, also of the next functions, are those of
+/// choose_preparation.
 PELT_EXPORT std::uint32_t pelt_read_character(const std::byte* file, std::uint32_t size,
+                                              const float* caps, std::uint32_t cap_count,
                                               const char* options) {
   const Result<Options> read = Options::read(options);
   if (!read) return refuse(read.error());
-  return prepare_read(read_character({file, size}, *read), *read);
+  return prepare_read(read_character({file, size}, *read), {caps, cap_count}, *read);
 }
 
 PELT_EXPORT std::uint32_t pelt_make_character(const Vec3* rest_positions, std::uint32_t vertices,
                                               const Triangle* triangles, std::uint32_t count,
+                                              const float* caps, std::uint32_t cap_count,
                                               const char* options) {
   const Result<Options> read = Options::read(options);
   if (!read) return refuse(read.error());
   return prepare_read(
-      make_character(read->text("name"), {rest_positions, vertices}, {triangles, count}), *read);
+      make_character(read->text("name"), {rest_positions, vertices}, {triangles, count}),
+      {caps, cap_count}, *read);
 }
 
-PELT_EXPORT std::uint32_t pelt_generate_creature(const char* options) {
+PELT_EXPORT std::uint32_t pelt_generate_creature(const float* caps, std::uint32_t cap_count,
+                                                 const char* options) {
   const Result<Options> read = Options::read(options);
   if (!read) return refuse(read.error());
-  return prepare_generated(scenes::generate_character(read->creature()), *read);
+  return prepare_generated(scenes::generate_character(read->creature()), {caps, cap_count}, *read);
 }
 
-PELT_EXPORT std::uint32_t pelt_generate_face(const char* options) {
+PELT_EXPORT std::uint32_t pelt_generate_face(const float* caps, std::uint32_t cap_count,
+                                             const char* options) {
   const Result<Options> read = Options::read(options);
   if (!read) return refuse(read.error());
-  return prepare_generated(scenes::generate_character(read->face()), *read);
+  return prepare_generated(scenes::generate_character(read->face()), {caps, cap_count}, *read);
 }
 
 PELT_EXPORT void pelt_delete_character(CharacterHandle* handle) { delete handle; }

@@ -7,12 +7,14 @@
 #include "base/hash.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
+#include "bindings/wasm/engine/kept_offsets.hpp"
 #include "bindings/wasm/engine/moving_columns.hpp"
 #include "scenes/ignored_pairs.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace pelt::wasm {
 namespace {
@@ -23,7 +25,11 @@ struct Member {
   std::uint32_t first_triangle = 0;
   std::optional<SelfFilter> self_filter;     ///< whether and how it is tested against itself
   std::optional<std::uint32_t> part_filter;  ///< index into the crowd's part filters
+  KeptOffsets offsets = {};
 };
+static_assert(
+    std::is_nothrow_move_constructible_v<Member>,
+    "a growing vector of members must move them, because the crowd borrows their offsets");
 
 struct CrowdHandle {
   Crowd crowd;
@@ -33,7 +39,8 @@ struct CrowdHandle {
   std::vector<scenes::NamePair> ignore;
   std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; created on first use
   std::vector<float> input;                     ///< where JavaScript writes a palette or weights
-  std::vector<Vec3> vertices;                   ///< the same for vertices
+  std::vector<Vec3> vertices;                   ///< the same for vertices or offsets
+  std::uint64_t step = 0;                       ///< number of steps begun
   std::vector<CrowdContact> found;
   std::vector<CrowdMovingContact> moving;
 
@@ -285,7 +292,7 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint3
   return done(handle->crowd.set_morph_weights(instance, handle->input));
 }
 
-/// Returns memory where JavaScript writes the positions of all vertices of an instance.
+/// Returns memory where JavaScript writes the positions or offsets of all vertices of an instance.
 PELT_EXPORT float* pelt_crowd_vertices(CrowdHandle* handle, std::uint32_t instance) {
   handle->vertices.resize(handle->crowd.model(instance).vertex_count());
   return &handle->vertices.data()->x;
@@ -293,6 +300,15 @@ PELT_EXPORT float* pelt_crowd_vertices(CrowdHandle* handle, std::uint32_t instan
 
 PELT_EXPORT std::uint32_t pelt_set_crowd_vertices(CrowdHandle* handle, std::uint32_t instance) {
   return done(handle->crowd.set_vertices(instance, handle->vertices));
+}
+
+PELT_EXPORT std::uint32_t pelt_set_crowd_offsets(CrowdHandle* handle, std::uint32_t instance) {
+  KeptOffsets& offsets = handle->members[instance].offsets;
+  return done(handle->crowd.set_offsets(instance, offsets.keep(handle->vertices, handle->step)));
+}
+
+PELT_EXPORT std::uint32_t pelt_remove_crowd_offsets(CrowdHandle* handle, std::uint32_t instance) {
+  return done(handle->crowd.set_offsets(instance, {}));
 }
 
 /// Answers with the stats, the numbers of ignored contacts and of those that filters have left out,
@@ -312,12 +328,16 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t 
   return 1;
 }
 
-PELT_EXPORT void pelt_begin_crowd_step(CrowdHandle* handle) { handle->crowd.begin_step(); }
+PELT_EXPORT void pelt_begin_crowd_step(CrowdHandle* handle) {
+  handle->crowd.begin_step();
+  ++handle->step;
+}
 
 /// The palettes at both ends of the step are in the input, one after the other.
 PELT_EXPORT std::uint32_t pelt_set_crowd_motion(CrowdHandle* handle, std::uint32_t instance) {
   const std::span<const float> input = handle->input;
   const std::size_t half = input.size() / 2;
+  handle->members[instance].offsets.start_borrows();
   return done(handle->crowd.set_motion(instance, input.first(half), input.last(half)));
 }
 

@@ -23,6 +23,7 @@ struct Preparation {
   std::uint32_t samples = 6;
   bool renormalise = false;
   bool weld = true;
+  std::vector<float> offset_caps;    ///< [V] or empty
   std::optional<Skinning> skinning;  ///< nothing: as the scene says, or linear
 };
 
@@ -73,6 +74,7 @@ struct PoseHandle {
   Pose pose;
   std::vector<Matrix4> palette;  ///< written by JavaScript before it is set
   std::vector<float> morphs;
+  std::vector<Vec3> offsets;               ///< written by JavaScript and borrowed by the pose
   std::vector<Vec3> vertices, normals;     ///< read by JavaScript, which also writes vertices
   std::optional<detail::ExactPose> eager;  ///< for collideEagerly
   std::optional<Pose> whole;               ///< all nodes opened, for nodeBoxes

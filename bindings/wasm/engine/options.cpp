@@ -28,6 +28,12 @@ std::optional<std::vector<std::string>> Options::texts(const char* key) const {
   return texts;
 }
 
+std::optional<float> Options::number(const char* key) const {
+  const auto found = values_.find(key);
+  if (found == values_.end() || !found->is_number()) return std::nullopt;
+  return found->get<float>();
+}
+
 asset::GltfOptions Options::gltf() const {
   asset::GltfOptions options;
   options.unskinned_parts = !flag("noUnskinned");

@@ -23,12 +23,13 @@ class Options {
   /// Returns the text, or an empty text if it is absent.
   std::string text(const char* key) const;
   std::optional<std::vector<std::string>> texts(const char* key) const;
+  std::optional<float> number(const char* key) const;
 
   asset::GltfOptions gltf() const;
   scenes::CreatureOptions creature() const;
   scenes::FaceOptions face() const;
 
-  /// The preparation without its clips.
+  /// The preparation without its clips and caps.
   Preparation preparation() const;
 
  private:

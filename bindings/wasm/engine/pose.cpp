@@ -70,6 +70,27 @@ PELT_EXPORT std::uint32_t pelt_set_vertices(PoseHandle* handle) {
   return done(set);
 }
 
+/// Returns memory where JavaScript writes the offsets of all vertices. The pose may borrow this
+/// memory already, so call pelt_set_offsets before the next query.
+PELT_EXPORT float* pelt_pose_offsets(PoseHandle* handle) {
+  handle->offsets.resize(handle->pose.model().vertex_count());
+  return &handle->offsets.data()->x;
+}
+
+PELT_EXPORT std::uint32_t pelt_set_offsets(PoseHandle* handle) {
+  handle->moved();
+  return done(handle->pose.set_offsets(handle->offsets));
+}
+
+PELT_EXPORT std::uint32_t pelt_remove_offsets(PoseHandle* handle) {
+  handle->moved();
+  return done(handle->pose.set_offsets({}));
+}
+
+PELT_EXPORT std::uint32_t pelt_check_offsets(const PoseHandle* handle) {
+  return check_offsets(handle->pose);
+}
+
 PELT_EXPORT void pelt_posed_vertices(PoseHandle* handle) {
   answer_data<Vec3>(pose_vertices(*handle));
 }

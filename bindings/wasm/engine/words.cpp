@@ -16,6 +16,8 @@ constexpr Words kWords[] = {
     {"ModelOptions::weld = false", "weld: false"},
     {"ModelOptions::skinning = Skinning::dual_quaternion", "skinning: 'dual-quaternion'"},
     {"dual_quaternions[", "dualQuaternions["},
+    {"SkinnedMeshView::offset_caps", "offsetCaps"},
+    {"offset_caps", "offsetCaps"},
     {"rest_positions", "restPositions"},
     {"set_palette", "setPalette"},
 };

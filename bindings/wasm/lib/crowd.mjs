@@ -54,6 +54,17 @@ export class Crowd {
     this.#memory.accepted(module._pelt_set_crowd_vertices(this.#handle, instance));
   }
 
+  setOffsets(instance, offsets) {
+    const { module } = this.#memory;
+    if (offsets === null) {
+      this.#member(instance);
+      this.#memory.accepted(module._pelt_remove_crowd_offsets(this.#handle, instance));
+      return;
+    }
+    this.#writeVertices(instance, offsets, 'offsets');
+    this.#memory.accepted(module._pelt_set_crowd_offsets(this.#handle, instance));
+  }
+
   setSelfFilter(instance, filter) {
     const { character, part } = this.#member(instance);
     const given = filter === null ? 0 : filterOf(this.#memory, filter, character, part);

@@ -27,6 +27,12 @@ export function readOptions(memory, options, rules) {
   return options === undefined ? {} : readObject(memory, options, rules);
 }
 
+/** One cap for all vertices, or the caps of the vertices. */
+function offsetCaps(value, name) {
+  if (typeof value === 'number') return check.number(value, name, 0, 2 ** 60);
+  return check.rows(value, 1, name, Float32Array);
+}
+
 const skinning = (value, name) => check.oneOf(value, ['linear', 'dual-quaternion'], name);
 
 export const kModelRules = {
@@ -39,7 +45,13 @@ export const kModelRules = {
   samples: check.count,
 };
 
-export const kReadRules = { ...kModelRules, name: check.text, files: (files) => files, clips: check.texts };
+export const kReadRules = {
+  ...kModelRules,
+  name: check.text,
+  files: (files) => files,
+  clips: check.texts,
+  offsetCaps,
+};
 
 export const kFaceRules = {
   name: check.text,
@@ -47,6 +59,7 @@ export const kFaceRules = {
   samples: check.count,
   weld: check.flag,
   skinning,
+  offsetCaps,
   triangles: check.count,
   seed: check.count,
 };
@@ -57,6 +70,7 @@ export const kMeshRules = {
   restPositions: (positions) => positions,
   triangles: (triangles) => triangles,
   weld: check.flag,
+  offsetCaps,
 };
 
 export const kCreatureRules = { ...kFaceRules, joints: check.count };

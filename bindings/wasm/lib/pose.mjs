@@ -55,6 +55,21 @@ export class Pose {
     this.#memory.accepted(module._pelt_set_vertices(this.#handle));
   }
 
+  setOffsets(offsets) {
+    const { module } = this.#memory;
+    if (offsets === null) {
+      this.#memory.accepted(module._pelt_remove_offsets(this.#handle));
+      return;
+    }
+    const address = module._pelt_pose_offsets(this.#handle);
+    this.#memory.write(Float32Array, address, offsets, 3 * this.character.vertexCount, 'offsets');
+    this.#memory.accepted(module._pelt_set_offsets(this.#handle));
+  }
+
+  checkOffsets() {
+    return this.#memory.module._pelt_check_offsets(this.#handle);
+  }
+
   posedVertices(out = undefined) {
     this.#memory.module._pelt_posed_vertices(this.#handle);
     return this.#memory.data(Float32Array, 3, out);

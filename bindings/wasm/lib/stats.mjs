@@ -6,6 +6,7 @@ export function readStats(memory) {
     posedVertices: memory.field('posedVertices'),
     trianglePairs: memory.field('trianglePairs'),
     displacements: memory.field('displacements'),
+    clampedOffsets: memory.field('clampedOffsets'),
     cutShort: memory.field('cutShort') !== 0,
   };
 }

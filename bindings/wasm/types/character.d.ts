@@ -55,6 +55,12 @@ export interface ReadOptions extends ModelOptions {
   files?: Files;
   /** Clips that sample poses are taken from. Default: the first clips. */
   clips?: readonly string[];
+  /**
+   * Largest offset along each axis, 0 to 2^60 units of the frame of the palette: one number for all
+   * vertices, or [V]. Needed for `Pose.setOffsets`. Queries are faster with small caps. Vertices with caps
+   * above 0 are not merged. Default: no offsets.
+   */
+  offsetCaps?: number | Float32Array;
 }
 
 export interface CreatureOptions {
@@ -63,6 +69,7 @@ export interface CreatureOptions {
   samples?: number; // as in ReadOptions
   skinning?: 'linear' | 'dual-quaternion'; // as in ModelOptions
   weld?: boolean; // as in ModelOptions
+  offsetCaps?: number | Float32Array; // as in ReadOptions
   triangles?: number; // 1,000 to 1,000,000; default 13,590
   joints?: number; // 20 to 64; default 56
   seed?: number; // proportions; default 1
@@ -74,6 +81,7 @@ export interface FaceOptions {
   samples?: number; // as in ReadOptions
   skinning?: 'linear' | 'dual-quaternion'; // as in ModelOptions
   weld?: boolean; // as in ModelOptions
+  offsetCaps?: number | Float32Array; // as in ReadOptions
   triangles?: number; // 1,000 to 200,000; default 4,000
   seed?: number; // default 1
 }
@@ -91,6 +99,8 @@ export interface MeshArrays {
   triangles: Uint32Array | Uint16Array;
   /** As in ModelOptions, but by default false. */
   weld?: boolean;
+  /** As in ReadOptions. */
+  offsetCaps?: number | Float32Array;
 }
 
 /** A range of triangles that came from one primitive of the file. */

@@ -19,6 +19,8 @@ export interface QueryStats {
   readonly trianglePairs: number;
   /** Displacements by active morph targets. */
   readonly displacements: number;
+  /** Offsets of skinned vertices that were clamped to their caps (see `Pose.setOffsets`). */
+  readonly clampedOffsets: number;
   /** Whether a limit in the options ended the query early, so that results may be missing. */
   readonly cutShort: boolean;
 }

@@ -25,11 +25,21 @@ export interface Pose {
    * Copies [V][3] positions of all vertices, in the frame shared by all poses of a query. All queries then
    * answer as if joints had posed the vertices to these positions. Use this for cloth, simulations and other
    * surfaces that do not follow joints. A pose of a part also takes the vertices of the whole character.
-   * `setPalette`, `setDualQuaternions`, `setMorphWeights` and `Scene.setPose` end this. Rejects coordinates
-   * that are NaN or beyond 2^60, and vertices that differ although the character has merged them (see
-   * `ModelOptions.weld`).
+   * `setPalette`, `setDualQuaternions`, `setMorphWeights`, `setOffsets` and `Scene.setPose` end this. Rejects
+   * coordinates that are NaN or beyond 2^60, and vertices that differ although the character has merged them
+   * (see `ModelOptions.weld`).
    */
   setVertices(vertices: Float32Array): void;
+  /**
+   * Copies [V][3] offsets, which are added to the vertices after the joints have posed them, in the frame
+   * shared by all poses of a query. Offsets remain until the next call; null removes them. Each coordinate is
+   * clamped to the cap of the vertex, and NaN counts as 0; `checkOffsets` and `QueryStats.clampedOffsets`
+   * count the vertices where this happens. Queries add only the offsets of vertices that they skin. Rejects
+   * offsets if the character has no caps (see `ReadOptions.offsetCaps`).
+   */
+  setOffsets(offsets: Float32Array | null): void;
+  /** Returns the number of vertices whose offset is clamped. */
+  checkOffsets(): number;
 
   /** Returns [V][3] posed positions, exactly as queries use them. */
   posedVertices(out?: Float32Array): Float32Array;

@@ -97,6 +97,8 @@ export interface Crowd {
   setMorphWeights(instance: number, weights: Float32Array): void;
   /** Like `Pose.setVertices`. */
   setVertices(instance: number, vertices: Float32Array): void;
+  /** Like `Pose.setOffsets`. */
+  setOffsets(instance: number, offsets: Float32Array | null): void;
   /**
    * With a filter, `collide` and `collideMoving` also test the instance against itself. With null, they do
    * not. The filter must have been made for the character and the part of the instance, and may be deleted
@@ -123,13 +125,14 @@ export interface Crowd {
   collide(options?: CollideOptions): CrowdContacts;
   /**
    * Begins a step for `collideMoving`: the present poses of all instances become the start of the step. The
-   * first `setPalette`, `setDualQuaternions`, `setMorphWeights` or `setVertices` of an instance after this call
-   * begins its motion. Later calls change the end of the motion. An instance without such a call stands still.
+   * first `setPalette`, `setDualQuaternions`, `setMorphWeights`, `setVertices` or `setOffsets` of an instance
+   * after this call begins its motion. Later calls change the end of the motion. An instance without such a
+   * call stands still.
    */
   beginStep(): void;
   /**
-   * Sets the palettes of an instance at both ends of the current step. Morph weights at both ends are the
-   * present ones. `collide` uses the palette `to`. After an error, the instance stands still.
+   * Sets the palettes of an instance at both ends of the current step. Morph weights and offsets at both ends
+   * are the present ones. `collide` uses the palette `to`. After an error, the instance stands still.
    */
   setMotion(
     instance: number,

@@ -254,9 +254,9 @@ function usePoints(pose: Pose): void {
 }
 
 function useStats(stats: QueryStats): void {
-  const { nodePairs, refits, posedVertices, trianglePairs, displacements } = stats;
+  const { nodePairs, refits, posedVertices, trianglePairs, displacements, clampedOffsets } = stats;
   check(nodePairs + refits + posedVertices + trianglePairs + displacements > 0, 'stats');
-  check(stats.cutShort === false, 'cutShort');
+  check(stats.cutShort === false && clampedOffsets === 0, 'cutShort');
 }
 
 function useContacts(pelt: Pelt, a: Pose, b: Pose): void {
@@ -463,11 +463,13 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
 }
 
 function useMesh(pelt: Pelt, { restPositions, triangles }: Character): void {
-  const arrays: MeshArrays = { name: 'statue', restPositions, triangles, weld: false };
+  const arrays: MeshArrays = { name: 'statue', restPositions, triangles, weld: false, offsetCaps: 1 };
   const statue: Character = pelt.makeCharacter(arrays);
   check(statue.jointCount === 1, 'mesh');
   const pose: Pose = statue.makePose();
   pose.setVertices(restPositions);
+  pose.setOffsets(restPositions.map(() => 2));
+  check(pose.checkOffsets() === statue.vertexCount, 'offsets');
   statue.delete();
 }
 

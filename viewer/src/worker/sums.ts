@@ -17,6 +17,7 @@ export const NO_WORK: QueryStats = {
   posedVertices: 0,
   trianglePairs: 0,
   displacements: 0,
+  clampedOffsets: 0,
   cutShort: false,
 };
 
