@@ -222,6 +222,11 @@ class PELT_API Crowd {
   Result<void> set_motion(std::uint32_t instance, std::span<const double> from,
                           std::span<const double> to);
 
+  /// Like `set_motion`, with palettes of dual quaternions. Returns an error for a palette that
+  /// `set_dual_quaternions` refuses.
+  Result<void> set_motion_dual_quaternions(std::uint32_t instance, std::span<const float> from,
+                                           std::span<const float> to);
+
   /// Tests pairs of instances against each other, and instances against themselves. `options` and
   /// the collision masks select the tests. Appends all contacts to `contacts`, in ascending order.
   /// Exact like `collide` of two poses and `self_collide`.

@@ -92,6 +92,11 @@ Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const double> f
   return crowd_->instances.set_motion(instance, from, to);
 }
 
+Result<void> Crowd::set_motion_dual_quaternions(std::uint32_t instance, std::span<const float> from,
+                                                std::span<const float> to) {
+  return crowd_->instances.set_motion_dual_quaternions(instance, from, to);
+}
+
 CrowdStats Crowd::collide(std::vector<CrowdContact>& contacts, const CrowdOptions& options) {
   const CrowdStats stats = crowd_->query.run(crowd_->instances, options, options.max_contacts);
   std::size_t end = contacts.size(), count = 0;

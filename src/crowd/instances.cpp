@@ -144,18 +144,37 @@ void CrowdInstances::save_start(CrowdInstance& instance) {
   }
 }
 
-template <typename Element>
-Result<void> CrowdInstances::set_motion(std::uint32_t number, std::span<const Element> from,
-                                        std::span<const Element> to) {
+/// Sets the palettes of both ends of a step by `set_joints(palette, from)` and
+/// `set_joints(palette, to)`.
+template <typename Joints, typename SetJoints>
+Result<void> CrowdInstances::move(std::uint32_t number, const Joints& from, const Joints& to,
+                                  const SetJoints& set_joints) {
   CrowdInstance& instance = (*this)[number];
   instance.step = CrowdInstance::kNever;
   CrowdPose& start = start_of(instance);
   start.palette = instance.palette;  // for the morph weights
-  if (Result<void> set = start.palette.set(from); !set) return set;
+  if (Result<void> set = set_joints(start.palette, from); !set) return set;
   start.root_box = box_root(instance.model.detail().bounds, start.palette, start.given);
-  if (Result<void> set = take_palette(instance, to); !set) return set;
+  if (Result<void> set = set_joints(instance.palette, to); !set) return set;
+  take_posed(instance);
   instance.step = step_;
   return {};
+}
+
+template <typename Element>
+Result<void> CrowdInstances::set_motion(std::uint32_t number, std::span<const Element> from,
+                                        std::span<const Element> to) {
+  return move(number, from, to, [](Palette& palette, std::span<const Element> joints) {
+    return palette.set(joints);
+  });
+}
+
+Result<void> CrowdInstances::set_motion_dual_quaternions(std::uint32_t number,
+                                                         std::span<const float> from,
+                                                         std::span<const float> to) {
+  return move(number, from, to, [](Palette& palette, std::span<const float> joints) {
+    return palette.set_dual_quaternions(joints);
+  });
 }
 
 template Result<void> CrowdInstances::set_motion(std::uint32_t, std::span<const float>,

@@ -90,6 +90,8 @@ class CrowdInstances {
   template <typename Element>
   Result<void> set_motion(std::uint32_t number, std::span<const Element> from,
                           std::span<const Element> to);
+  Result<void> set_motion_dual_quaternions(std::uint32_t number, std::span<const float> from,
+                                           std::span<const float> to);
 
   /// Whether an instance has different poses at the ends of the step.
   bool moves(std::uint32_t number) { return (*this)[number].step == step_; }
@@ -100,6 +102,10 @@ class CrowdInstances {
   void add_slot();
   void save_start(CrowdInstance& instance);
   static CrowdPose& start_of(CrowdInstance& instance);
+
+  template <typename Joints, typename SetJoints>
+  Result<void> move(std::uint32_t number, const Joints& from, const Joints& to,
+                    const SetJoints& set_joints);
 
   std::vector<std::optional<CrowdInstance>> slots_;
   std::vector<std::uint32_t> free_;

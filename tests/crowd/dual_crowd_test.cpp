@@ -97,6 +97,40 @@ TEST(DualCrowd, DualQuaternionsBeginTheMotionOfAnInstance) {
   EXPECT_GT(moving.size(), 100u);
 }
 
+/// Both ends are set at once, from any pose, and a wrong end leaves the instance where it is.
+TEST(DualCrowd, SetsDualQuaternionsOfBothEndsOfAStep) {
+  Random random(1914);
+  TwoLimbs limbs;
+  const auto duals = [&](float x, double turns) {
+    return signed_dual_quaternions(random, twist_limb(kDualJoints, turns, {x, 0, 0}));
+  };
+  const std::vector<float> from = duals(-1, 0.5), to = duals(1, 0.2);
+  const auto set = [&](const std::vector<float>& first, const std::vector<float>& last) {
+    return limbs.crowd.set_motion_dual_quaternions(0, first, last);
+  };
+  ASSERT_TRUE(set(from, to));
+  Pose still(limbs.crowd.model(1)), start(still.model()), end(still.model());
+  ASSERT_TRUE(start.set_dual_quaternions(from) && end.set_dual_quaternions(to));
+  Scratch scratch;
+  std::vector<MovingContact> expected;
+  Pose also_still(still.model());
+  collide_moving({start, end}, {still, also_still}, scratch, expected);
+  std::vector<CrowdMovingContact> moving;
+  limbs.crowd.collide_moving(moving);
+  ASSERT_EQ(moving.size(), expected.size());
+  for (std::size_t i = 0; i < moving.size(); ++i) EXPECT_EQ(moving[i].moving, expected[i]);
+  EXPECT_GT(moving.size(), 100u);
+
+  ASSERT_TRUE(set(from, from));
+  std::vector<float> wrong = to;
+  wrong[0] += 2;
+  EXPECT_FALSE(set(wrong, to));
+  EXPECT_FALSE(set(to, wrong));
+  moving.clear();
+  limbs.crowd.collide_moving(moving);
+  EXPECT_EQ(moving.size(), 0u);
+}
+
 TEST(DualCrowd, DualQuaternionsMoveTheBoxOfAnInstance) {
   Random random(1913);
   TwoLimbs limbs;

@@ -142,12 +142,17 @@ test('a crowd is posed by dual quaternions, also in steps', () => {
   const moving = pelt.collideMoving({ from: a, to: end }, { from: b, to: still });
   assert.deepEqual([...crowd.collideMoving().contacts], rowsOf([...moving.pairs]));
   assert.ok(moving.count > count);
+  crowd.setMotionDualQuaternions(0, duals[2], duals[0]);
+  const back = pelt.collideMoving({ from: end, to: a }, { from: b, to: still });
+  assert.deepEqual([...crowd.collideMoving().contacts], rowsOf([...back.pairs]));
 
   const refused = (use, message) => assert.throws(use, { code: 'invalid_argument', message });
   refused(() => crowd.setDualQuaternions(0, palettes[0]), /^dualQuaternions: expected \d+ numbers/);
   refused(() => crowd.setDualQuaternions(2, duals[0]), /the crowd has no instance 2/);
   const wrong = duals[0].map((x, i) => (i === 8 * 5 + 3 ? x + 1 : x));
   refused(() => crowd.setDualQuaternions(0, wrong), /^dualQuaternions\[5\]/);
+  refused(() => crowd.setMotionDualQuaternions(0, duals[0], wrong), /^dualQuaternions\[5\]/);
+  refused(() => crowd.setMotionDualQuaternions(0, duals[0], palettes[0]), /^to: expected \d+ numbers/);
   for (const made of [crowd, ...poses, still, creature]) made.delete();
 });
 

@@ -341,6 +341,15 @@ PELT_EXPORT std::uint32_t pelt_set_crowd_motion(CrowdHandle* handle, std::uint32
   return done(handle->crowd.set_motion(instance, input.first(half), input.last(half)));
 }
 
+/// The same for dual quaternions.
+PELT_EXPORT std::uint32_t pelt_set_crowd_dual_motion(CrowdHandle* handle, std::uint32_t instance) {
+  const std::span<const float> input = handle->input;
+  const std::size_t half = input.size() / 2;
+  handle->members[instance].offsets.start_borrows();
+  return done(
+      handle->crowd.set_motion_dual_quaternions(instance, input.first(half), input.last(half)));
+}
+
 /// Answers like pelt_collide_crowd. JavaScript reads the rest with pelt_moving_column.
 PELT_EXPORT std::uint32_t pelt_collide_crowd_moving(CrowdHandle* handle,
                                                     std::uint32_t leaves_out_start,

@@ -107,12 +107,15 @@ export class Crowd {
   }
 
   setMotion(instance, from, to) {
-    const floats = 16 * this.#member(instance).character.jointCount;
+    this.#writeMotion(instance, from, to, 16);
     const { module } = this.#memory;
-    const address = module._pelt_crowd_input(this.#handle, 2 * floats);
-    this.#memory.write(Float32Array, address, from, floats, 'from');
-    this.#memory.write(Float32Array, address + 4 * floats, to, floats, 'to');
     this.#memory.accepted(module._pelt_set_crowd_motion(this.#handle, instance));
+  }
+
+  setMotionDualQuaternions(instance, from, to) {
+    this.#writeMotion(instance, from, to, 8);
+    const { module } = this.#memory;
+    this.#memory.accepted(module._pelt_set_crowd_dual_motion(this.#handle, instance));
   }
 
   collideMoving(options = undefined) {
@@ -171,6 +174,14 @@ export class Crowd {
     const member = this.#members[check.count(instance, 'instance')];
     if (member !== undefined) return member;
     throw invalid(`instance: the crowd has no instance ${instance}`);
+  }
+
+  /** Writes palettes with `width` floats per joint, one after the other. */
+  #writeMotion(instance, from, to, width) {
+    const floats = width * this.#member(instance).character.jointCount;
+    const address = this.#memory.module._pelt_crowd_input(this.#handle, 2 * floats);
+    this.#memory.write(Float32Array, address, from, floats, 'from');
+    this.#memory.write(Float32Array, address + 4 * floats, to, floats, 'to');
   }
 
   #writeVertices(instance, numbers, name) {

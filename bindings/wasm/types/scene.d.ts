@@ -139,6 +139,8 @@ export interface Crowd {
     from: Float32Array | Float64Array,
     to: Float32Array | Float64Array,
   ): void;
+  /** Like `setMotion`, with palettes of dual quaternions as for `Pose.setDualQuaternions`. */
+  setMotionDualQuaternions(instance: number, from: Float32Array, to: Float32Array): void;
   /**
    * Finds all triangles of any two instances, and of instances with a self filter, that intersect at any
    * time of the current step. The answer is that of `Pelt.collideMoving` and `Pelt.selfCollideMoving`.

@@ -451,6 +451,8 @@ function useCrowd(pelt: Pelt, scene: Scene): void {
   const palettes: [Float32Array, Float32Array] = [scene.palette(0, 3), scene.palette(0, 4)];
   crowd.beginStep();
   crowd.setMotion(0, ...palettes);
+  const { setMotionDualQuaternions }: Crowd = crowd;
+  check(setMotionDualQuaternions.length === 3, 'instance, from and to');
   const moving: CrowdMovingContacts = crowd.collideMoving({ leaveOutStart: true });
   check(moving.contacts.length === 4 * moving.times.length, 'crowd in motion');
   const hash: ContactHash = pelt.makeContactHash();
