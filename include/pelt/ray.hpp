@@ -79,8 +79,8 @@ struct RayHit {
 };
 
 /// Writes the first hit of each ray: the hit with the least rounded `t`. If several triangles are
-/// hit at this `t`, for example at a shared edge, the triangle with the lowest index is written. For
-/// a ray that hits nothing, a default-constructed `RayHit` is written.
+/// hit at this `t`, for example at a shared edge, the triangle with the lowest index is written.
+/// For a ray that hits nothing, a default-constructed `RayHit` is written.
 ///
 /// Precondition: `hits` has one element per ray. Otherwise the program aborts, in every build.
 ///
