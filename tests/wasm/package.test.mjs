@@ -101,15 +101,15 @@ const kTypeScript = path.join(kHere, '../../viewer/node_modules/typescript/lib/t
 const skip = !fs.existsSync(kTypeScript) && 'TypeScript is not installed: run npm ci in viewer';
 const typescript = () => createRequire(import.meta.url)(kTypeScript);
 
+const kProgram = path.join(kHere, 'types');
+
 function compile(...options) {
   const compiler = path.join(path.dirname(kTypeScript), 'tsc.js');
   return run(folder, process.execPath, compiler, '--project', 'tsconfig.json', ...options);
 }
 
 test('a program that uses all types compiles and runs', { skip }, () => {
-  for (const file of ['consumer.ts', 'tsconfig.json']) {
-    fs.copyFileSync(path.join(kHere, 'types', file), path.join(folder, file));
-  }
+  fs.cpSync(kProgram, folder, { recursive: true });
   compile();
   run(folder, process.execPath, 'out/consumer.js');
   compile('--module', 'ESNext', '--moduleResolution', 'Bundler', '--noEmit');
@@ -134,9 +134,8 @@ function declared() {
 }
 
 test('that program uses all that is declared', { skip }, () => {
-  const words = new Set(
-    fs.readFileSync(path.join(kHere, 'types/consumer.ts'), 'utf8').match(/\w+/g),
-  );
+  const files = ['consumer.ts', 'queries.ts'].map((name) => path.join(kProgram, name));
+  const words = new Set(files.flatMap((file) => fs.readFileSync(file, 'utf8').match(/\w+/g)));
   const types = declared();
   assert.ok(types.size > 30 && types.get('Pose').includes('setPalette'));
   for (const [name, members] of types) {

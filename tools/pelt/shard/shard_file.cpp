@@ -102,7 +102,7 @@ Result<void> check_indices(std::span<const Opened> shards) {
       "shard " + name + " is missing: write it with --shard " + name + ", or give its file, too"};
 }
 
-/// What the answers of a check must belong to.
+/// The scene and the frames of all answers of a check.
 struct ExpectedFrames {
   const scene::StagedScene& staged;
   std::vector<std::uint32_t> frames;

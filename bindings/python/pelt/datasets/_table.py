@@ -21,8 +21,8 @@ except ImportError:  # not on Windows: there, tables are not locked
 
 
 class Table:
-    """A CSV file that grows by one row for each clip or pair of clips. Each row is written at once, so a process that is
-    killed loses at most the one that it was measuring.
+    """A CSV file that grows by one row for each clip or pair of clips. Each row is written at once, so a
+    process that is killed loses at most the one that it was measuring.
 
     path:     of the file. If it exists, the table goes on where it ended.
     measure:  what the rows contain. Raises `pelt.Error` if the file has rows of another measurement.
