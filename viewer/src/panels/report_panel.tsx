@@ -37,7 +37,8 @@ function verdictInWords({ verdict: { failed, fail_on } }: ReportAnswer): string 
 }
 
 function findingInWords(state: State): string {
-  const { finding } = state;
+  const { finding, scene } = state;
+  if (!scene) return ''; // still reading
   if (isAsItCame(state)) return finding ? `the page ${finding}` : 'counting …';
   return finding ? `the page ${finding}; changed since` : 'changed by you';
 }
