@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <random>
+#include <tuple>
+
 namespace pelt::tools::check {
 namespace {
 
@@ -111,6 +116,57 @@ TEST(TouchTally, CountsEachTakeByItself) {
   ASSERT_EQ(joints.size(), 2u);
   EXPECT_EQ(joints[0].clip, "\"idle\"");
   EXPECT_EQ(joints[1].clip, "\"walk\"");
+}
+
+/// The sums of touches by their definition.
+using Sums = std::map<std::tuple<std::uint32_t, TouchPlace, TouchPlace>, TouchCounts>;
+
+Sums sums_of(const std::vector<Touch>& touches) {
+  Sums sums;
+  for (const Touch& touch : touches) sums[{touch.take, touch.a, touch.b}] = touch;
+  return sums;
+}
+
+bool are_equal(const TouchCounts& x, const TouchCounts& y) {
+  return std::tie(x.contacts, x.frames, x.worst, x.worst_frame) ==
+         std::tie(y.contacts, y.frames, y.worst, y.worst_frame);
+}
+
+TEST(TouchTally, RandomFramesAreCountedAsDefined) {
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  TwoMen men;
+  men.scene.takes = {{"walk", 0, 30}, {"idle", 30, 50}};
+  TouchTally tally = men.make_tally();
+  const TouchPlace places[2][3] = {{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}},
+                                   {{1, 0, 0}, {1, 0, 1}, {1, 1, 1}}};
+  Sums expected;
+  std::size_t hits = 0;
+  for (std::uint32_t frame = 0; frame < 50; ++frame) {
+    std::vector<Contact> contacts;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> in_frame;
+    for (const std::uint32_t a : {0u, 1u, 2u})
+      for (const std::uint32_t b : {0u, 1u, 2u})
+        for (auto n = random() % 3; n > 0; --n) {
+          contacts.push_back({a, b});
+          ++in_frame[{a, b}];
+        }
+    std::shuffle(contacts.begin(), contacts.end(), random);
+    add(frame, contacts, tally);
+    for (const auto& [triangles, count] : in_frame)
+      expected[{frame < 30 ? 0 : 1, places[0][triangles.first], places[1][triangles.second]}].add(
+          frame, count);
+    hits += contacts.size();
+  }
+  EXPECT_GT(hits, 200u);
+  const std::vector<Touch> touches = tally.touches();
+  EXPECT_EQ(touches.size(), expected.size());
+  const Sums found = sums_of(touches);
+  ASSERT_EQ(found.size(), expected.size());
+  for (const auto& [key, counts] : expected) EXPECT_TRUE(are_equal(found.at(key), counts));
+  for (std::size_t i = 1; i < touches.size(); ++i)
+    EXPECT_GE(touches[i - 1].contacts, touches[i].contacts);
 }
 
 }  // namespace

@@ -1,116 +1,94 @@
 #include "tools/pelt/check/touch_tally.hpp"
 
-#include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/names.hpp"
 #include "scenes/takes.hpp"
 #include "tools/pelt/check/touch_name.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace pelt::tools::check {
-namespace {
-
-/// Replaces each index by the lowest index with the same name.
-template <typename Index>
-void unite_equal_names(const std::vector<std::string>& names, std::vector<Index>& indices) {
-  std::map<std::string_view, Index> by_name;
-  std::vector<Index> lowest;
-  for (const std::string& name : names) {
-    const auto index = static_cast<Index>(lowest.size());
-    lowest.push_back(by_name.try_emplace(name, index).first->second);
-  }
-  for (Index& index : indices) index = lowest[index];
-}
-
-template <typename T>
-std::pair<T, T> ascending(const T& a, const T& b) {
-  return b < a ? std::pair(b, a) : std::pair(a, b);
-}
-
-}  // namespace
-
-void TouchCounts::add(std::uint32_t frame, std::uint64_t found) {
-  contacts += found;
-  ++frames;
-  if (found <= worst) return;
-  worst = found;
-  worst_frame = frame;
-}
 
 Result<TouchTally> TouchTally::make(const scene::StagedScene& staged) {
-  TouchTally tally(staged);
-  for (const scenes::Character& character : staged.scene.characters) {
-    Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
-    if (!labels) return asset::prefixed(character.source, labels.error());
-    unite_equal_names(scenes::part_names(character.asset), labels->part);
-    unite_equal_names(scenes::joint_names(character.asset), labels->joint);
-    tally.labels_.push_back(std::move(*labels));
-  }
-  return tally;
-}
-
-TouchTally::Places TouchTally::places_of(std::uint32_t collider) const {
-  const std::uint32_t instance = staged_.colliders[collider].instance;
-  return {instance, labels_[staged_.scene.instances[instance].character]};
-}
-
-/// Most contacts have the places of the contact before, whose count need not be searched again.
-void TouchTally::count_pair(const scene::FrameContacts& found,
-                            const scene::FrameContacts::Pair& pair, FrameCounts& touches) const {
-  const Places of_a = places_of(pair.a), of_b = places_of(pair.b);
-  TouchPlace last_a, last_b;
-  std::uint64_t* count = nullptr;
-  for (const Contact& contact : found.of(pair)) {
-    const TouchPlace a = of_a.at(contact.triangle_a), b = of_b.at(contact.triangle_b);
-    if (count == nullptr || a != last_a || b != last_b) {
-      count = &touches[ascending(a, b)];
-      last_a = a;
-      last_b = b;
-    }
-    ++*count;
-  }
+  Result<TouchPlaces> places = TouchPlaces::make(staged);
+  if (!places) return places.error();
+  return TouchTally(staged, std::move(*places));
 }
 
 void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
-  FrameCounts touches, joints, parts;
-  for (const scene::FrameContacts::Pair& pair : found.pairs) count_pair(found, pair, touches);
-  for (const auto& [places, count] : touches) {
-    const auto& [a, b] = places;
-    joints[ascending(TouchPlace{a.instance, 0, a.joint}, TouchPlace{b.instance, 0, b.joint})] +=
-        count;
-    parts[ascending(TouchPlace{a.instance, a.part, 0}, TouchPlace{b.instance, b.part, 0})] += count;
+  start_take(scenes::take_index(staged_.scene, frame));
+  for (const scene::FrameContacts::Pair& pair : found.pairs) count_pair(found, pair);
+  for (const std::uint32_t touch : touches_.counted()) {
+    joints_.touches.count(groups_[touch].joints, touches_.in_frame(touch));
+    parts_.touches.count(groups_[touch].parts, touches_.in_frame(touch));
   }
-  const std::uint32_t take = scenes::take_index(staged_.scene, frame);
-  for (const auto& [places, count] : touches) touches_[{take, places}].add(frame, count);
-  for (const auto& [places, count] : joints) joints_[{take, places}].add(frame, count);
-  for (const auto& [places, count] : parts) parts_[{take, places}].add(frame, count);
+  for (FrameTouches* const touches : {&touches_, &joints_.touches, &parts_.touches})
+    touches->end_frame(frame);
 }
 
-std::vector<Touch> TouchTally::touches() const {
-  std::vector<Touch> touches;
-  for (const auto& [key, counts] : touches_)
-    touches.push_back({counts, key.second.first, key.second.second, key.first});
-  std::stable_sort(touches.begin(), touches.end(),
-                   [](const Touch& a, const Touch& b) { return a.contacts > b.contacts; });
-  return touches;
+void TouchTally::start_take(std::uint32_t take) {
+  if (take == take_) return;
+  take_ = take;
+  in_take_.clear();
+  joints_.in_take.clear();
+  parts_.in_take.clear();
+}
+
+/// Most contacts are at the places of the contact before.
+void TouchTally::count_pair(const scene::FrameContacts& found,
+                            const scene::FrameContacts::Pair& pair) {
+  const auto of_a = places_.of_instance(staged_.colliders[pair.a].instance);
+  const auto of_b = places_.of_instance(staged_.colliders[pair.b].instance);
+  std::uint32_t a = 0, b = 0;
+  std::uint64_t contacts = 0;
+  for (const Contact& contact : found.of(pair)) {
+    const std::uint32_t next_a = of_a.number_at(contact.triangle_a);
+    const std::uint32_t next_b = of_b.number_at(contact.triangle_b);
+    if (contacts > 0 && (next_a != a || next_b != b)) count(a, b, std::exchange(contacts, 0));
+    a = next_a;
+    b = next_b;
+    ++contacts;
+  }
+  if (contacts > 0) count(a, b, contacts);
+}
+
+/// Numbers of places ascend as the places do.
+void TouchTally::count(std::uint32_t place, std::uint32_t other, std::uint64_t contacts) {
+  const auto [a, b] = std::minmax(place, other);
+  const auto [known, is_new] = in_take_.try_emplace(std::uint64_t{a} << 32 | b);
+  if (is_new) known->second = add_touch(places_[a], places_[b]);
+  touches_.count(known->second, contacts);
+}
+
+std::uint32_t TouchTally::add_touch(const TouchPlace& a, const TouchPlace& b) {
+  groups_.push_back({joints_.find(take_, {a.instance, 0, a.joint}, {b.instance, 0, b.joint}),
+                     parts_.find(take_, {a.instance, a.part, 0}, {b.instance, b.part, 0})});
+  return touches_.add(take_, a, b);
+}
+
+std::uint32_t TouchTally::Grouped::find(std::uint32_t take, const TouchPlace& a,
+                                        const TouchPlace& b) {
+  const auto places = std::minmax(a, b);
+  const auto [known, is_new] = in_take.try_emplace(std::pair<TouchPlace, TouchPlace>(places));
+  if (is_new) known->second = touches.add(take, places.first, places.second);
+  return known->second;
 }
 
 std::vector<TouchTally::Row> TouchTally::joints() const {
-  return rows(joints_, &TouchPlace::joint, [&](std::uint32_t character, std::uint32_t joint) {
-    return scenes::joint_name(staged_.scene.characters[character].asset, joint);
-  });
+  return rows(joints_.touches, &TouchPlace::joint,
+              [&](std::uint32_t character, std::uint32_t joint) {
+                return scenes::joint_name(staged_.scene.characters[character].asset, joint);
+              });
 }
 
 std::vector<TouchTally::Row> TouchTally::parts() const {
-  return rows(parts_, &TouchPlace::part, [&](std::uint32_t character, std::uint32_t part) {
+  return rows(parts_.touches, &TouchPlace::part, [&](std::uint32_t character, std::uint32_t part) {
     return staged_.names->part(character, part);
   });
 }
 
-std::vector<TouchTally::Row> TouchTally::rows(const std::map<Key, TouchCounts>& counts,
+std::vector<TouchTally::Row> TouchTally::rows(const FrameTouches& touches,
                                               std::uint32_t TouchPlace::*index,
                                               const NameOf& name_of) const {
   const auto name_in = [&](const TouchPlace& place) {
@@ -122,15 +100,12 @@ std::vector<TouchTally::Row> TouchTally::rows(const std::map<Key, TouchCounts>& 
   };
   std::vector<Row> rows;
   const std::vector<scenes::Take>& takes = staged_.scene.takes;
-  for (const auto& [key, of_places] : counts) {
-    const auto& [take, places] = key;
-    const auto& [a, b] = places;
-    const bool is_itself = is_of_itself(staged_, a.instance, b.instance);
-    rows.push_back({of_places, takes.empty() ? "" : asset::quoted(takes[take].clip), full_name(a),
-                    is_itself ? kItself + name_in(b) : full_name(b)});
+  for (const Touch& touch : touches.sorted()) {
+    const bool is_itself = is_of_itself(staged_, touch.a.instance, touch.b.instance);
+    rows.push_back({touch, takes.empty() ? "" : asset::quoted(takes[touch.take].clip),
+                    full_name(touch.a),
+                    is_itself ? kItself + name_in(touch.b) : full_name(touch.b)});
   }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const Row& a, const Row& b) { return a.contacts > b.contacts; });
   return rows;
 }
 

@@ -1,0 +1,57 @@
+#pragma once
+
+/// Numbers the places of a scene where contacts are counted.
+
+#include "tools/pelt/scene/staged_scene.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pelt::tools::check {
+
+/// A place on an instance: a part, and a joint that triangles of the part follow.
+struct TouchPlace {
+  std::uint32_t instance = 0, part = 0, joint = 0;
+
+  friend auto operator<=>(const TouchPlace&, const TouchPlace&) = default;
+};
+
+/// All places of a scene, ascending. Parts with equal names count as one, the first of them, and so
+/// do joints, because names cannot distinguish them.
+class TouchPlaces {
+ public:
+  /// Returns an error if no model can be built from the assets.
+  static Result<TouchPlaces> make(const scene::StagedScene& staged);
+
+  /// The places of an instance's triangles, numbered as in its asset.
+  struct OfInstance {
+    std::uint32_t first = 0;                  ///< number of the instance's first place
+    std::span<const std::uint32_t> triangle;  ///< [T] place of the triangle, less `first`
+
+    std::uint32_t number_at(std::uint32_t t) const { return first + triangle[t]; }
+  };
+
+  OfInstance of_instance(std::uint32_t instance) const {
+    const OfCharacter& character = characters_[character_of_[instance]];
+    return {first_of_[instance], character.triangle};
+  }
+
+  const TouchPlace& operator[](std::uint32_t number) const { return places_[number]; }
+
+ private:
+  struct OfCharacter {
+    std::vector<std::uint32_t> triangle;  ///< [T] index into `places`
+    std::vector<TouchPlace> places;       ///< ascending, of instance 0
+  };
+
+  static OfCharacter number_places(std::span<const std::uint32_t> parts,
+                                   std::span<const std::uint16_t> joints);
+
+  std::vector<OfCharacter> characters_;
+  std::vector<std::uint32_t> character_of_, first_of_;  // by instance
+  std::vector<TouchPlace> places_;
+};
+
+}  // namespace pelt::tools::check
