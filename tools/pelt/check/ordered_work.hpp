@@ -93,6 +93,7 @@ class OrderedWork {
   }
 
   /// Stores a computed item. Then uses all items whose turn it is, unless another thread does so.
+  /// Threads that wait are woken for several items, because waking takes long.
   void use_ready(Slot& slot, const Result<void>& computed) {
     std::unique_lock lock(mutex_);
     slot.computed = computed;
@@ -107,7 +108,7 @@ class OrderedWork {
       ++used_;
       if (!used) error_ = used.error();
       if (!used) is_ended_ = true;
-      has_space_.notify_all();
+      if (is_ended_ || used_ % (slots_.size() / 2) == 0) has_space_.notify_all();
     }
     is_using_ = false;
   }
