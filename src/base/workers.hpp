@@ -31,6 +31,9 @@ class Workers {
   /// Number of threads that the machine runs in parallel, at least one.
   static std::uint32_t available();
 
+  /// Returns `threads`, or `available()` if it is 0.
+  static std::uint32_t choose(std::uint32_t threads) { return threads > 0 ? threads : available(); }
+
  private:
   void start(std::uint32_t count);
   void call(const Job& job, std::uint32_t worker) noexcept;

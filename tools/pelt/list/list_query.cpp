@@ -96,8 +96,7 @@ Result<ListPlan> ListPlan::make(const check::CheckArguments& arguments) {
 }
 
 Result<void> ask_scenes(const ListPlan& plan, const SceneIndices& indices, const UseScene& use) {
-  std::uint32_t threads = plan.arguments.threads.value_or(0);
-  if (threads == 0) threads = detail::Workers::available();
+  const std::uint32_t threads = detail::Workers::choose(plan.arguments.threads.value_or(0));
   const auto workers =
       static_cast<std::uint32_t>(std::clamp<std::size_t>(indices.count(), 1, threads));
   output::Progress progress(indices.count());

@@ -10,6 +10,7 @@
 #include "tools/pelt/shard/answer_text.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <optional>
 #include <utility>
@@ -62,6 +63,20 @@ Result<Opened> open_shard(const std::string& path) {
       next.empty() && lines > 0 && line == output::json_text(last_line(lines - 1, hash));
   if (!is_whole) return incomplete(path, header->shard, "is incomplete or was changed");
   return Opened{path, std::move(*header)};
+}
+
+/// Opens files on several threads.
+std::vector<std::optional<Result<Opened>>> open_shards(std::span<const std::string> paths,
+                                                       std::uint32_t threads) {
+  std::vector<std::optional<Result<Opened>>> opened(paths.size());
+  const auto count = static_cast<std::uint32_t>(
+      std::clamp<std::size_t>(paths.size(), 1, detail::Workers::choose(threads)));
+  std::atomic<std::size_t> next = 0;
+  detail::Workers workers;
+  workers.run(count, [&](std::uint32_t) {
+    for (std::size_t i = next++; i < paths.size(); i = next++) opened[i] = open_shard(paths[i]);
+  });
+  return opened;
 }
 
 /// "frames" if the option --frames differs.
@@ -210,12 +225,11 @@ void ShardWriter::write(const std::string& lines) {
   out_ << lines;
 }
 
-Result<Shards> Shards::open(std::span<const std::string> paths) {
+Result<Shards> Shards::open(std::span<const std::string> paths, std::uint32_t threads) {
   std::vector<Opened> opened;
-  for (const std::string& path : paths) {
-    Result<Opened> shard = open_shard(path);
-    if (!shard) return shard.error();
-    opened.push_back(std::move(*shard));
+  for (std::optional<Result<Opened>>& shard : open_shards(paths, threads)) {
+    if (!*shard) return shard->error();
+    opened.push_back(std::move(**shard));
     if (const auto same = compare(opened[0], opened.back()); !same) return same.error();
   }
   std::stable_sort(opened.begin(), opened.end(), [](const Opened& a, const Opened& b) {
@@ -255,8 +269,7 @@ Result<void> Shards::each_shard(const ReadShard& read) const {
 Result<void> Shards::replay(const scene::StagedScene& staged, const check::CheckSettings& settings,
                             const check::UseAnswer& use) const {
   const ExpectedFrames expected = {staged, settings.frames.frames(), settings.substeps.has_value()};
-  const std::uint32_t threads =
-      settings.threads == 0 ? detail::Workers::available() : settings.threads;
+  const std::uint32_t threads = detail::Workers::choose(settings.threads);
   return each_shard([&](const std::string& path, const Shard& shard, std::istream& in) {
     return ShardAnswers(path, shard, in, expected).replay(threads, use);
   });

@@ -38,10 +38,10 @@ class ShardWriter {
 /// All shards of one check of a scene or of a list.
 class Shards {
  public:
-  /// Opens files in any order, and reads each of them once. Returns an error that names the file or
-  /// the shard: for files that are damaged or incomplete, and for shards that are missing, given
-  /// twice, or from different checks.
-  static Result<Shards> open(std::span<const std::string> paths);
+  /// Opens files in any order, and reads each of them once, on `threads` threads, or one per core
+  /// if 0. Returns an error that names the file or the shard: for files that are damaged or
+  /// incomplete, and for shards that are missing, given twice, or from different checks.
+  static Result<Shards> open(std::span<const std::string> paths, std::uint32_t threads);
 
   /// The arguments of the check, without those of its outputs and its verdict.
   const check::CheckArguments& arguments() const { return arguments_; }

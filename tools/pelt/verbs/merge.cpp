@@ -77,7 +77,8 @@ Result<arguments::ExitCode> merge_list(const shard::Shards& shards, const Argume
 }
 
 Result<arguments::ExitCode> merge(const Arguments& arguments, methods::MethodKinds known_methods) {
-  const Result<shard::Shards> shards = shard::Shards::open(arguments.files);
+  const Result<shard::Shards> shards =
+      shard::Shards::open(arguments.files, arguments.outcome.threads.value_or(0));
   if (!shards) return shards.error();
   if (shards->is_of_list()) return merge_list(*shards, arguments);
   check::CheckArguments of_check = with_outcome(shards->arguments(), arguments.outcome);
