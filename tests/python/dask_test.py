@@ -1,10 +1,7 @@
 """The example dask_metrics.py: a worker that is killed in the middle of a run loses nothing."""
 
-import concurrent.futures
-import contextlib
 import csv
 import os
-import runpy
 import signal
 import subprocess
 import sys
@@ -56,11 +53,11 @@ class Killed(Case):
             generated_body.save_motion(self.data / f"{seed}.npz",
                                        generated_body.motion_keys(frames=40, seed=seed))
 
-    def start(self, table):
+    def start(self, table, body=None, *scheduler):
         environment = {**os.environ, "DASK_DISTRIBUTED__DASHBOARD__LINK": "",
                        "DASK_TEMPORARY_DIRECTORY": str(self.root)}
-        return subprocess.Popen([sys.executable, "-B", EXAMPLE, self.data, self.body, table],
-                                cwd=self.root, env=environment, stdout=subprocess.PIPE,
+        return subprocess.Popen([sys.executable, "-B", EXAMPLE, self.data, body or self.body, table,
+                                 *scheduler], cwd=self.root, env=environment, stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True)
 
     def wait_for_rows(self, process, table, count):
@@ -113,12 +110,9 @@ class Killed(Case):
         runs = [(self.root / "table.csv", self.body), (self.root / "tall.csv", tall)]
         with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None,
                                       local_directory=str(self.root)) as cluster:
-            main = runpy.run_path(str(EXAMPLE))["main"]
-            with concurrent.futures.ThreadPoolExecutor(2) as threads, contextlib.redirect_stdout(None):
-                results = list(threads.map(
-                    lambda run: main(str(self.data), str(run[1]), str(run[0]), cluster.scheduler_address),
-                    runs))
-        self.assertEqual(results, [0, 0])
+            programs = [self.start(table, body, cluster.scheduler_address) for table, body in runs]
+            errors = [program.communicate(timeout=240)[1] for program in programs]
+        self.assertEqual([program.returncode for program in programs], [0, 0], errors)
         for table, body in runs:
             self.assertEqual({row["body_model"] for row in read_rows(table)}, {body.name})
             self.assertEqual(len(read_rows(table)), CLIPS)
