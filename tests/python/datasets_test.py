@@ -120,6 +120,11 @@ class Clips(Folder):
         rows = [measure(clip) for clip in ("still.npz", "a/walk.npz")]
         self.assertEqual([row["fps"] for row in rows], [30, 120])
         self.assertEqual(rows[0]["seconds"], 6 / 30)
+        generated_body.save_motion(self.data / "two.npz", mocap_frame_rate=np.array(60.0))
+        self.refuses("two.npz: mocap_framerate: is 120.0, but mocap_frame_rate is 60.0: .*--fps", measure,
+                     "two.npz")
+        self.assertEqual(datasets.Measurement(self.data, self.body, ["colliding"], fps=60)("two.npz")["fps"],
+                         60)
         self.refuses("fps: expected a positive", datasets.Measurement, self.data, self.body, fps=0)
 
     def test_genders(self):

@@ -67,8 +67,18 @@ class Layouts(Files):
     def test_without_betas(self):
         self.assertEqual(self.saved(betas=None).betas.shape, (0,))
 
-    def test_first_of_two_rates(self):
-        self.assertEqual(self.saved(mocap_frame_rate=np.array(60.0)).fps, 120)
+    def test_two_rates(self):
+        self.assertEqual(self.saved(mocap_frame_rate=np.array(120)).fps, 120)
+        rate = 119.88012
+        rounded = self.saved(mocap_framerate=np.array(rate), mocap_frame_rate=np.float32(rate))
+        self.assertEqual(rounded.fps, rate)
+        self.refuses("walk.npz: mocap_framerate: is 120.0, but mocap_frame_rate is 60.0: state which of the "
+                     "two is right by `--fps`, or fps=", self.saved, mocap_frame_rate=np.array(60.0))
+        for fps in (60, 120):
+            self.assertEqual(motions.load(self.path, fps=fps).fps, fps)
+        self.refuses("is 120.0, but mocap_frame_rate is 60.0", motions.load, self.path, fps=30)
+        self.refuses("walk.npz: mocap_frame_rate: expected more than 0", self.saved,
+                     mocap_frame_rate=np.array(-1.0))
 
     def test_betas_of_a_batch_of_one(self):
         betas = np.arange(16.0)

@@ -106,7 +106,7 @@ def _add_metrics(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         help="close the holes of open bodies such as SMPL-X by fans; without, metrics that need an inside "
              "are empty for them")
     add("--fps", metavar="N", type=float, default=None,
-        help="frames per second of motions whose files do not state it")
+        help="frames per second of motions whose files do not state it, or state two rates")
     add("--shard", metavar="I/N", type=_shard, default=(1, 1),
         help="measure only the I-th of N parts of the clips, for N processes or machines, each with "
              "its own table")

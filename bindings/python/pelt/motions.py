@@ -11,7 +11,8 @@ Positions are in metres, and z is up. Rotations are rotation vectors in radians.
 
 from __future__ import annotations
 
-from typing import Dict, Optional
+import math
+from typing import Dict, List, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -89,11 +90,11 @@ def load(path: Path, *, fps: Optional[float] = None) -> Motion:
     The mean pose of the hands that body models contain is not added: rotations of hands are those of
     smplx with `flat_hand_mean=True` and `use_pca=False`.
 
-    fps:      frames per second if the file does not state them. Those of Inter-X do not: they have 120.
+    fps:      frames per second if the file does not state them, or states two rates, one of which is
+              `fps`. Files of Inter-X state none: they have 120.
 
     `poses` of another number of joints are read, too. Without `betas`, the motion has none, so it gets
-    the mean shape. Of two rates, `mocap_framerate` counts. Other keys, such as `dmpls`, are ignored; nothing
-    in the file is unpickled.
+    the mean shape. Other keys, such as `dmpls`, are ignored; nothing in the file is unpickled.
 
     Raises `pelt.Error` that names the file and the key.
     """
@@ -148,17 +149,31 @@ def _betas(npz: Npz) -> Doubles:
     return npz.floats("betas", (1, "B")).reshape(-1)
 
 
-def _frames_per_second(npz: Npz, otherwise: Optional[float]) -> float:
-    spellings = [key for key in ("mocap_framerate", "mocap_frame_rate") if key in npz.keys]
-    if not spellings and otherwise is not None:
-        return otherwise
-    if not spellings:
-        raise npz.error("mocap_framerate", "missing, and no mocap_frame_rate: state the rate by `--fps`, "
-                                           "or fps=")
-    key = spellings[0]
+def _frames_per_second(npz: Npz, given: Optional[float]) -> float:
+    rates = [_rate(npz, key) for key in ("mocap_framerate", "mocap_frame_rate") if key in npz.keys]
+    if not rates:
+        if given is None:
+            raise npz.error("mocap_framerate", "missing, and no mocap_frame_rate: state the rate by "
+                                               "`--fps`, or fps=")
+        return given
+    if _is_one_rate(rates):
+        return rates[0]
+    for rate in rates:
+        if given is not None and _is_one_rate([rate, given]):
+            return rate
+    raise npz.error("mocap_framerate", f"is {rates[0]}, but mocap_frame_rate is {rates[1]}: state which of "
+                                       f"the two is right by `--fps`, or fps=")
+
+
+def _rate(npz: Npz, key: str) -> float:
     # A scalar in AMASS; some copies have an array of one element.
     rates = npz.floats(key, ()) if npz.axes(key) == 0 else npz.floats(key, (1,))
     rate = float(rates.reshape(-1)[0])
     if not 0 < rate <= 1e6:
         raise npz.error(key, f"expected more than 0 frames per second, found {rate:g}")
     return rate
+
+
+def _is_one_rate(rates: List[float]) -> bool:
+    """Returns whether rates are equal, apart from rounding to float32."""
+    return math.isclose(rates[0], rates[-1], rel_tol=1e-6)

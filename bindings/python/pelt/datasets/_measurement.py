@@ -37,7 +37,8 @@ class Measurement(Folder):
     betas:         use only the first n shape parameters of each clip; 0 is the mean shape. Default: all.
     close_holes:   close the holes of open bodies, such as the mouth of SMPL-X, by fans, see
                    `metrics.BodyParts`. Only volumes use them.
-    fps:           frames per second of clips whose files do not state it. Other clips keep their own.
+    fps:           frames per second of clips whose files do not state it, or state it among two rates.
+                   Other clips keep their own.
     threads:       of each clip; default: all processors. The row is the same for any number.
     """
 
