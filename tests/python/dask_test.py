@@ -103,6 +103,18 @@ class Killed(Case):
         self.assertTrue(table.read_bytes().startswith(before))
         self.assertEqual(len({row["clip"] for row in read_rows(table)}), CLIPS)
 
+    def test_clips_that_have_changed(self):
+        measure = datasets.Measurement(self.data, self.body)
+        table = self.root / "table.csv"
+        with datasets.Table(table, measure) as earlier:
+            for clip in datasets.find_clips(self.data):
+                earlier.append(measure(clip))
+        generated_body.save_motion(self.data / "7.npz", generated_body.motion_keys(seed=99))
+        output, errors = self.start(table).communicate(timeout=240)
+        self.assertIn("1 clips measured, 0 failed", output, errors)
+        self.assertEqual([row["frames"] for row in read_rows(table)].count("6"), 1)
+        self.assertEqual(len(read_rows(table)), CLIPS)
+
     def test_two_runs_on_one_scheduler(self):
         """Dask gives equal keys of two programs one result, so the keys must differ."""
         tall = generated_body.save_body(self.root / "tall.npz",

@@ -238,19 +238,6 @@ class Command(Folder):
             self.assertEqual(self.table.read_bytes(), whole)
         self.assertIn("0 clips measured, 4 were there before", self.command().stdout)
 
-    def test_clips_that_are_newer_than_the_table(self):
-        """Motions that were generated again keep their names; their old rows must not pass for new ones."""
-        self.command("--metrics", "colliding")
-        later = self.table.stat().st_mtime + 1
-        os.utime(self.data / "b/sit.npz", (later, later))
-        result = self.command("--metrics", "colliding")
-        self.assertEqual(result.returncode, 0)
-        self.assertRegex(result.stderr, "warning: .*b/sit.npz: newer than the table, .* another")
-        os.utime(self.body, (later, later))
-        self.assertIn("b/sit.npz and 1 more: newer", self.command("--metrics", "colliding").stderr)
-        self.table.unlink()
-        self.assertEqual(self.command("--metrics", "colliding").stderr, "")
-
     def test_other_measurements_are_refused(self):
         self.command("--metrics", "colliding")
         for more, message in [(("--metrics", "contact"), "has other columns"),

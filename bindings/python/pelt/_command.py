@@ -40,17 +40,18 @@ The folder contains motions of AMASS or Inter-X (.npz), in subfolders of any dep
 files of the SMPL family; those of SMPL-H fit motions with 52 joints, those of SMPL-X motions with 55.
 
 A run that is stopped goes on where it ended if it is started again: rows that are in the table are not
-measured again. Files that cannot be read are listed at the end, with the reason, and are tried again by
-the next run.
+measured again, unless the arrays in the file of the clip have changed since. Files that cannot be read are
+listed at the end, with the reason, and are tried again by the next run.
 
 """
 
 _AFTER_HELP = """
 columns: clip, body_model, options, every, frames (that were measured), seconds and fps (of the file),
 gender; for each metric its mean over the measured frames, its max, and the frame of the max, counted in the
-frames of the file from 0; volume_error, a bound of the error of each volume. `contact` takes longer than the
-other metrics of a clip together. Tables of pairs have the columns clip_a, clip_b, body_model_a, body_model_b,
-gender_a and gender_b, and for each metric also the percentage of frames in which it is not 0.
+frames of the file from 0; volume_error, a bound of the error of each volume; clip_hash and body_model_hash,
+which identify the arrays in the files. `contact` takes longer than the other metrics of a clip together.
+Tables of pairs have the columns clip_a, clip_b, body_model_a, body_model_b, gender_a, gender_b and four
+hashes, and for each metric also the percentage of frames in which it is not 0.
 
 exit status: 0 if all rows are in the table, 1 if some could not be measured, 2 for invalid arguments.
 """
@@ -177,10 +178,9 @@ def _measure_folder(options: argparse.Namespace) -> int:
     if undefined:
         print(f"a body model has holes, so its columns of {', '.join(undefined)} stay empty: close them "
               "with `--close-holes`", file=sys.stderr, flush=True)
-    written = _modified(options.out)
     with Table(options.out, measure) as table, _Failures(options.failed, noun) as failed:
         before = len(table.done)
-        _warn_of_changes(measure, [item for item in items if item in table.done], written)
+        _warn_of_changes(table)
         progress = _Progress(len(items), noun)
         for number, item in enumerate(items):
             progress.show(number, len(failed), _name_of(item))
@@ -196,25 +196,17 @@ def _measure_folder(options: argparse.Namespace) -> int:
     return 1 if failed.reasons else 0
 
 
-def _modified(path: str) -> float:
-    """Returns when a file was written; 0 if there is none."""
-    try:
-        return os.stat(path).st_mtime
-    except OSError:
-        return 0
-
-
-def _warn_of_changes(measure: Union[Measurement, PairMeasurement], done: List[Item],
-                     written: float) -> None:
-    """Names clips and body models that are newer than the table, whose rows may be out of date."""
-    clips = {clip for item in done for clip in ([item] if isinstance(item, str) else item)}
-    paths = [measure.path_of(clip) for clip in sorted(clips)]
-    newer = [path for path in (*paths, *(measure.body_models.values() if done else ()))
-             if _modified(path) > written]
-    if newer:
-        more = f" and {len(newer) - 1} more" if len(newer) > 1 else ""
-        print(f"warning: {newer[0]}{more}: newer than the table, whose rows may be out of date. If the "
-              "contents have changed, measure into another table", file=sys.stderr, flush=True)
+def _warn_of_changes(table: Table) -> None:
+    """Says which clips have changed, or that it is unknown."""
+    if table.changed:
+        more = f" and {len(table.changed) - 1} more" if len(table.changed) > 1 else ""
+        print(f"warning: {_name_of(table.changed[0])}{more}: changed since measured, so the rows are "
+              f"removed, and those of this run are measured again. {table.copy} has the earlier rows",
+              file=sys.stderr, flush=True)
+    if not table.hashes:
+        print(f"warning: {table.path}: of an earlier version, without hashes of files, so clips and body "
+              "models that have changed since go unnoticed. If any have, measure into another table",
+              file=sys.stderr, flush=True)
 
 
 def _name_of(item: Item) -> str:

@@ -23,6 +23,7 @@ METRICS: Mapping[str, str] = {
 """Names of metrics, with what they are."""
 
 _CLIP_COLUMNS = ("clip", "body_model", "options", "every", "frames", "seconds", "fps", "gender")
+_HASHES = ("clip_hash", "body_model_hash")
 
 
 class Measurement(Folder):
@@ -53,7 +54,8 @@ class Measurement(Folder):
     def columns(self) -> Tuple[str, ...]:
         """Names of the columns of a row."""
         measured = tuple(f"{name}_{kind}" for name in self.metrics for kind in ("mean", "max", "frame"))
-        return _CLIP_COLUMNS + measured + (("volume_error",) if "volume" in self.metrics else ())
+        return (_CLIP_COLUMNS + measured + (("volume_error",) if "volume" in self.metrics else ())
+                + _HASHES)
 
     def item_of(self, row: Mapping[str, object]) -> str:
         """Returns the clip of a row."""
@@ -61,8 +63,12 @@ class Measurement(Folder):
 
     def has_made(self, row: Mapping[str, object]) -> bool:
         """Returns whether a row may be of this measurement: of its body models, options and frames."""
-        return (self.has_measured(row["gender"], row["body_model"])
+        return (self.has_measured(row["gender"], row["body_model"], row.get("body_model_hash"))
                 and (row["options"], row["every"]) == (self.options, str(self.every)))
+
+    def has_changed(self, row: Mapping[str, object]) -> bool:
+        """Returns whether the file of the clip has other arrays than when the row was measured."""
+        return self.clip_has_changed(row["clip"], row.get("clip_hash"))
 
     def __call__(self, clip: str) -> Row:
         """Returns the row of a clip: for each metric its mean over all frames, its maximum, and the
@@ -80,6 +86,7 @@ class Measurement(Folder):
         for name in self.metrics:
             row.update(self.summary(name, values[name]))
         row.update(self.volume_error(values))
+        row.update(clip_hash=read.hash, body_model_hash=read.subject.body_hash)
         return row
 
     def _values(self, clip: Clip) -> Columns:

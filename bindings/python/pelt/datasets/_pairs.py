@@ -26,6 +26,7 @@ PAIR_METRICS: Mapping[str, str] = {
 
 _PAIR_COLUMNS = ("clip_a", "clip_b", "body_model_a", "body_model_b", "options", "every", "frames",
                  "seconds", "fps", "gender_a", "gender_b")
+_HASHES = ("clip_hash_a", "clip_hash_b", "body_model_hash_a", "body_model_hash_b")
 _KINDS = ("mean", "max", "frame", "percent")
 
 
@@ -52,7 +53,8 @@ class PairMeasurement(Folder):
     def columns(self) -> Tuple[str, ...]:
         """Names of the columns of a row."""
         measured = tuple(f"{name}_{kind}" for name in self.metrics for kind in _KINDS)
-        return _PAIR_COLUMNS + measured + (("volume_error",) if "volume" in self.metrics else ())
+        return (_PAIR_COLUMNS + measured + (("volume_error",) if "volume" in self.metrics else ())
+                + _HASHES)
 
     def item_of(self, row: Mapping[str, object]) -> Pair:
         """Returns the pair of a row."""
@@ -60,8 +62,13 @@ class PairMeasurement(Folder):
 
     def has_made(self, row: Mapping[str, object]) -> bool:
         """Returns whether a row may be of this measurement: of its body models, options and frames."""
-        return (all(self.has_measured(row[f"gender_{one}"], row[f"body_model_{one}"]) for one in "ab")
+        return (all(self.has_measured(row[f"gender_{one}"], row[f"body_model_{one}"],
+                                      row.get(f"body_model_hash_{one}")) for one in "ab")
                 and (row["options"], row["every"]) == (self.options, str(self.every)))
+
+    def has_changed(self, row: Mapping[str, object]) -> bool:
+        """Returns whether the file of a clip has other arrays than when the row was measured."""
+        return any(self.clip_has_changed(row[f"clip_{one}"], row.get(f"clip_hash_{one}")) for one in "ab")
 
     def __call__(self, pair: Pair) -> Row:
         """Returns the row of a pair of clips: for each metric its mean over all frames, its maximum, the
@@ -84,6 +91,8 @@ class PairMeasurement(Folder):
             row.update(self.summary(name, values[name]))
             row[f"{name}_percent"] = _percent_of_frames(name, values)
         row.update(self.volume_error(values))
+        row.update(clip_hash_a=a.hash, clip_hash_b=b.hash, body_model_hash_a=a.subject.body_hash,
+                   body_model_hash_b=b.subject.body_hash)
         return row
 
     def _values(self, a: Clip, b: Clip) -> Columns:

@@ -15,6 +15,7 @@ from pelt._npz import Path
 from pelt._pelt import Error
 from pelt._poses import Vertices
 from pelt._self_collide import SelfFilter
+from pelt.datasets._contents import contents_hash
 
 Columns = Dict[str, npt.NDArray[np.float64]]
 """Values of metrics in each frame [F]; NaN if they are not defined."""
@@ -30,10 +31,14 @@ AT_A_TIME = 128
 
 
 class Subject(body_models.Subject):
-    """A subject, and what its metrics need."""
+    """A subject, and what its metrics need.
 
-    def __init__(self, subject: body_models.Subject) -> None:
+    body_hash:  `contents_hash` of the file of the body model.
+    """
+
+    def __init__(self, subject: body_models.Subject, body_hash: str) -> None:
         self.__dict__.update(subject.__dict__)
+        self.body_hash = body_hash
 
     @functools.cached_property
     def filter(self) -> SelfFilter:
@@ -68,6 +73,9 @@ class Clip(NamedTuple):
     motion: motions.Motion
     """the frames that are measured"""
 
+    hash: str
+    """`contents_hash` of the file"""
+
 
 class Folder:
     """How the motions of a folder are read. The arguments are those of `Measurement`."""
@@ -96,8 +104,9 @@ class Folder:
             raise Error(f"betas: expected 0 or more, found {betas}")
         if fps is not None and not 0 < fps < np.inf:
             raise Error(f"fps: expected a positive number, found {fps}")
+        self._body_hashes: Dict[str, str] = {}
         for path in self.body_models.values():
-            body = _body(path)  # rather one error now than one for each clip
+            self._body_hashes[path], body = _body(path)  # rather one error now than one for each clip
             if "volume" in self.metrics and _faces_inwards(body):
                 raise Error(f"{path}: f: the triangles face inwards, so that volumes would be those of a "
                             "body turned inside out: save f[:, ::-1] instead")
@@ -118,10 +127,18 @@ class Folder:
                         + ([f"betas={self.betas}"] if self.betas is not None else [])
                         + (["close-holes"] if self.close_holes else []))
 
-    def has_measured(self, gender: object, body_model: object) -> bool:
-        """Returns whether the subjects of a gender are measured with a body model of this name."""
+    def has_measured(self, gender: object, body_model: object, body_hash: Optional[object]) -> bool:
+        """Returns whether the subjects of a gender are measured with a body model of this name and
+        hash. Rows of early versions have no hash: None."""
         path = self._path_for(str(gender))
-        return path is not None and self.name_of(path) == body_model
+        return (path is not None and self.name_of(path) == body_model
+                and body_hash in (None, self._body_hashes[path]))
+
+    def clip_has_changed(self, clip: object, clip_hash: Optional[object]) -> bool:
+        """Returns whether a clip has other arrays than when it had this hash. Clips that are not there
+        have not changed; rows of early versions have no hash: None."""
+        found = None if clip_hash is None else contents_hash(self.path_of(str(clip)))
+        return found is not None and found != clip_hash
 
     def name_of(self, body_model: str) -> str:
         """Returns the name of a body model in the table: the end of its path."""
@@ -133,13 +150,15 @@ class Folder:
     def load(self, clip: str) -> Clip:
         """Returns a clip with the frames that are measured."""
         path = self.path_of(clip)
+        # The hash comes first: if the file is replaced now, the row is measured again, not kept.
+        clip_hash = contents_hash(path) or ""
         whole = motions.load(path, fps=self.fps)
         if len(whole.betas) == 0 and self.betas != 0:
             raise Error(f"{path}: betas: missing: measure with `--betas 0`, or betas=0, for the mean shape")
         body_model = self._body_model(path, whole.gender)
         subject = self._subject(path, body_model, whole.betas[:self.betas])
         motion = whole.body_only(subject.body.joint_count) if self.body_only else whole
-        return Clip(path, body_model, subject, whole, motion[::self.every])
+        return Clip(path, body_model, subject, whole, motion[::self.every], clip_hash)
 
     def _body_model(self, path: str, gender: str) -> str:
         found = self._path_for(gender)
@@ -152,7 +171,7 @@ class Folder:
         return self.body_models.get(gender, self.body_models.get(""))
 
     def _subject(self, path: str, body_model: str, betas: npt.NDArray[np.float64]) -> Subject:
-        most = _body(body_model).shape_directions.shape[2]
+        most = _body(body_model)[1].shape_directions.shape[2]
         if len(betas) > most:
             raise Error(f"{path}: betas: {len(betas)} shape parameters, but {body_model} has {most}: "
                         f"measure with `--betas {most}`, or betas={most}")
@@ -190,7 +209,8 @@ def _distinct_ends(paths: Iterable[str]) -> Dict[str, str]:
     return ends
 
 
-def _body(path: str) -> body_models.BodyModel:
+def _body(path: str) -> Tuple[str, body_models.BodyModel]:
+    """Returns the hash of a body model, and the body model."""
     return _loaded_body(path, _version(path))
 
 
@@ -204,8 +224,8 @@ def _version(path: str) -> Tuple[int, int]:
 
 
 @functools.lru_cache(maxsize=4)
-def _loaded_body(path: str, version: Tuple[int, int]) -> body_models.BodyModel:
-    return body_models.load(path)
+def _loaded_body(path: str, version: Tuple[int, int]) -> Tuple[str, body_models.BodyModel]:
+    return contents_hash(path) or "", body_models.load(path)
 
 
 def _faces_inwards(body: body_models.BodyModel) -> bool:
@@ -221,4 +241,5 @@ def _subject(path: str, betas: npt.NDArray[np.float64]) -> Subject:
 @functools.lru_cache(maxsize=4)
 def _shaped_subject(path: str, version: Tuple[int, int], betas: bytes) -> Subject:
     """Consecutive clips often are of the same one or two subjects."""
-    return Subject(_loaded_body(path, version).subject(np.frombuffer(betas)))
+    body_hash, body = _loaded_body(path, version)
+    return Subject(body.subject(np.frombuffer(betas)), body_hash)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import os
-from typing import Sequence, Set, Union
+import shutil
+from typing import Iterable, List, Sequence, Set, Union
 
 from pelt._npz import Path
 from pelt._pelt import Error
@@ -28,6 +30,11 @@ class Table:
     measure:  what the rows contain. Raises `pelt.Error` if the file has rows of another measurement.
 
     done:     clips or pairs that the table has.
+    changed:  clips or pairs whose files have other arrays than when their rows were written. Their rows
+              are no longer in the table.
+    copy:     path of a copy of the table with the rows of `changed`; "" if nothing has changed.
+    hashes:   whether the rows have hashes of files. Tables of early versions do not, so changes of their
+              clips go unnoticed.
 
     Only one process at a time can write a table.
     """
@@ -35,14 +42,13 @@ class Table:
     def __init__(self, path: Path, measure: Union[Measurement, PairMeasurement]) -> None:
         self.path = os.fspath(path)
         self.done: Set[Union[str, Pair]] = set()
+        self.changed: List[Union[str, Pair]] = []
+        self.copy = ""
+        self.hashes = True
         self._measure = measure
         self._columns = measure.columns
+        self._open()
         try:
-            self._file = open(self.path, "a+b", buffering=0)
-        except OSError as error:
-            raise Error(f"{self.path}: {error.strerror}") from error
-        try:
-            self._lock()
             self._resume()
         except BaseException:
             self._file.close()
@@ -52,7 +58,7 @@ class Table:
         """Writes a row. Raises `pelt.Error` if it is of another measurement."""
         if not self._measure.has_made({column: str(value) for column, value in row.items()}):
             raise Error(f"{self.path}: the row of {self._measure.item_of(row)} is of another measurement "
-                        "(other body models, options or frames)")
+                        "(other body models, options or frames, or a body model whose file has changed)")
         self._write([row[column] for column in self._columns])
         self.done.add(self._measure.item_of(row))
 
@@ -62,35 +68,94 @@ class Table:
     def __exit__(self, *_: object) -> None:
         self._file.close()
 
+    def _open(self) -> None:
+        try:
+            self._file = open(self.path, "a+b", buffering=0)
+        except OSError as error:
+            raise Error(f"{self.path}: {error.strerror}") from error
+        try:
+            self._lock()
+        except BaseException:
+            self._file.close()
+            raise
+
     def _lock(self) -> None:
         if fcntl is None:
             return
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError as error:
-            raise Error(f"{self.path}: another process is writing this table") from error
+            # Another process may have replaced the table since it was opened.
+            is_table = os.path.samestat(os.fstat(self._file.fileno()), os.stat(self.path))
+        except (BlockingIOError, FileNotFoundError):
+            is_table = False
+        if not is_table:
+            raise Error(f"{self.path}: another process is writing this table")
 
     def _resume(self) -> None:
         self._file.seek(0)
         content = self._file.read()
         whole = content.rfind(b"\n") + 1  # what follows is a row of a process that was killed
         self._file.truncate(whole)
-        rows = list(csv.reader(io.StringIO(content[:whole].decode("utf-8", "replace"), newline="")))
+        text = content[:whole].decode("utf-8", "surrogateescape")
+        rows = list(csv.reader(io.StringIO(text, newline="")))
         if not rows:
             self._write(self._columns)
             return
-        if rows[0] != list(self._columns):
+        self._read_header(rows[0])
+        current = [values for number, values in enumerate(rows[1:], 2) if self._is_current(number, values)]
+        if self.changed:
+            self._replace([self._columns, *current])
+
+    def _read_header(self, names: List[str]) -> None:
+        columns = list(self._columns)
+        if names == [name for name in columns if "_hash" not in name]:
+            self.hashes = False
+            self._columns = tuple(names)
+        elif names != columns:
             raise Error(f"{self.path}: has other columns than this measurement: choose another file")
-        for number, values in enumerate(rows[1:], 2):
-            row = dict(zip(self._columns, values))
-            if len(values) != len(self._columns) or not self._measure.has_made(row):
-                raise Error(f"{self.path}: row {number} is of another measurement (other body models, "
-                            f"options or frames): choose another file")
-            self.done.add(self._measure.item_of(row))
+
+    def _is_current(self, number: int, values: List[str]) -> bool:
+        """Adds a row to what is done, or to what has changed."""
+        row = dict(zip(self._columns, values))
+        if len(values) != len(self._columns) or not self._measure.has_made(row):
+            raise Error(f"{self.path}: row {number} is of another measurement (other body models, "
+                        "options or frames, or a body model whose file has changed): choose another file")
+        item = self._measure.item_of(row)
+        if self._measure.has_changed(row):
+            self.changed.append(item)
+            return False
+        self.done.add(item)
+        return True
+
+    def _replace(self, rows: Iterable[Sequence[object]]) -> None:
+        """Replaces the table at once, so that a process that is killed loses no rows."""
+        path = os.path.realpath(self.path)
+        names = (f"{path}.old-{number}" for number in itertools.count(1))
+        self.copy = next(name for name in names if not os.path.exists(name))
+        try:
+            shutil.copy(path, self.copy)
+            shutil.copy(path, path + ".new")  # has the permissions of the table
+            with open(path + ".new", "wb") as file:
+                file.writelines(map(_line, rows))
+                file.flush()
+                os.fsync(file.fileno())
+            old = self._file
+            if fcntl is None:
+                old.close()  # Windows replaces no file that is open
+            os.replace(path + ".new", path)
+        except OSError as error:
+            raise Error(f"{self.path}: cannot be replaced: {error.strerror}") from error
+        try:
+            self._open()
+        finally:
+            old.close()
 
     def _write(self, values: Sequence[object]) -> None:
-        text = io.StringIO(newline="")
-        csv.writer(text, lineterminator="\n").writerow(values)
-        data = text.getvalue().encode("utf-8", "surrogateescape")
-        self._file.write(data)
+        self._file.write(_line(values))
         os.fsync(self._file.fileno())
+
+
+def _line(values: Sequence[object]) -> bytes:
+    text = io.StringIO(newline="")
+    csv.writer(text, lineterminator="\n").writerow(values)
+    return text.getvalue().encode("utf-8", "surrogateescape")
