@@ -114,10 +114,41 @@ class Bodies(Case):
                  {"J_regressor": np.full((52, len(weights)), None, object)}),
                 ("body.npz: kintree_table: joint 7 has the parent 30", {"kintree_table": table}),
                 ("body.npz: f: expected vertices from 0", {"f": faces}),
+                ("body.npz: f: there are no triangles", {"f": faces[:0]}),
                 ("body.npz: f: expected integers, found float64", {"f": faces.astype(float)})]:
             with self.subTest(message):
                 generated_body.save_body(path, **changes)
                 self.refuses(message, body_models.load, path)
+
+    def test_refused_numbers(self):
+        """All become float32, where they would overflow."""
+        path = self.folder / "body.npz"
+        for key in ("v_template", "shapedirs", "posedirs", "J_regressor", "weights"):
+            for value, message in [(1e308, r"1e\+308, expected within 2\^60"), (-1e39, r"-1e\+39, expected"),
+                                   (2.0**61, r"2.30584e\+18, expected"), (np.nan, "not a finite number"),
+                                   (-np.inf, "not a finite number")]:
+                with self.subTest(key=key, value=value):
+                    values = generated_body.arrays()[key].copy()
+                    values[1, 1] = value
+                    generated_body.save_body(path, **{key: values})
+                    self.refuses(rf"body.npz: {key}: the element \[1, 1.*\] is {message}.*: save the file",
+                                 body_models.load, path)
+
+    def test_refused_weights(self):
+        path = self.folder / "body.npz"
+        for row in (-0.5, 0, 1e-60):
+            weights = generated_body.arrays()["weights"].copy()
+            weights[7] = row
+            generated_body.save_body(path, weights=weights)
+            self.refuses("body.npz: weights: vertex 7 has a weight less than 0, or none greater than 0: save",
+                         body_models.load, path)
+
+    def test_shapes_that_overflow(self):
+        body = self.body()
+        for betas in ([1e300], [1e308, -1e308], [1e25]):
+            self.refuses("betas: vertex 0 of this shape is at .*, expected within 2.60: use smaller",
+                         body.subject, betas)
+        self.assertLess(0, len(body.subject([1e3]).rest))
 
     def test_pickle_is_refused_with_the_conversion(self):
         self.refuses(r"(?s)SMPL_MALE.pkl: pickled files can run any code.*numpy.savez\('SMPL_MALE.npz'",

@@ -144,6 +144,15 @@ class Clips(Folder):
                   ["volume_max"] for betas in (0, 10, None)}
         self.assertEqual(len(shapes), 3)
 
+    def test_shapes_that_overflow(self):
+        """The message names the clip and the body model, one of which is at fault."""
+        directions = generated_body.arrays()["shapedirs"].copy()
+        directions[0, 0, 0] = 1e18
+        body = generated_body.save_body(self.root / "wide.npz", shapedirs=directions)
+        generated_body.save_motion(self.data / "a/walk.npz", betas=np.full(16, 9.0))
+        self.refuses("walk.npz: .*wide.npz: betas: vertex 0 of this shape is at .*: use smaller",
+                     datasets.Measurement(self.data, body), "a/walk.npz")
+
     def test_triangles_that_face_inwards(self):
         """Their self-intersection would be the whole body."""
         faces = generated_body.arrays()["f"][:, ::-1]

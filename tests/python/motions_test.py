@@ -104,12 +104,21 @@ class Refused(Files):
     def test_keys(self):
         infinite = np.zeros((6, 3))
         infinite[4, 2] = np.inf
+        angles = generated_body.motion_keys()["poses"]
+        angles[3, 9] = -1e308
         for message, changes in [
                 ("walk.npz: poses: missing, and no root_orient", {"poses": None}),
                 ("walk.npz: trans: missing", {"trans": None}),
                 (r"walk.npz: trans: expected the shape \[6, 3\], found \[5, 3\]",
                  {"trans": np.zeros((5, 3))}),
                 (r"walk.npz: trans: the element \[4, 2\] is not a finite number", {"trans": infinite}),
+                (r"walk.npz: poses: the element \[3, 9\] is -1e\+308, expected within 2\^60: save the file",
+                 {"poses": angles}),
+                (r"walk.npz: trans: the element \[0, 0\] is 1e\+39, expected",
+                 {"trans": np.full((6, 3), 1e39)}),
+                (r"walk.npz: betas: the element \[0\] is not a finite number",
+                 {"betas": np.full(16, np.nan)}),
+                (r"walk.npz: betas: the element \[0\] is 1e\+300, expected", {"betas": np.full(16, 1e300)}),
                 (r"walk.npz: poses: expected \[F, 3 J\]", {"poses": np.zeros((6, 100))}),
                 (r"walk.npz: poses: expected \[F, 3 J\]", {"poses": np.zeros((0, 156)),
                                                           "trans": np.zeros((0, 3))}),

@@ -21,6 +21,9 @@ Axis = Union[int, str]
 
 _MAX_ENTRIES = 1000
 _MAX_BYTES = 2**30
+LARGEST = 2.0**60
+"""Largest coordinate that Pelt accepts. Its numbers are float32, whose products must not overflow."""
+
 _UNREADABLE = (OSError, EOFError, ValueError, SyntaxError, KeyError, TypeError, OverflowError,
                MemoryError, RecursionError, NotImplementedError, RuntimeError, tokenize.TokenError,
                zipfile.BadZipFile, zlib.error)
@@ -57,16 +60,20 @@ class Npz:
 
     def floats(self, key: str, shape: Tuple[Axis, ...],
                sizes: Optional[Dict[str, int]] = None) -> npt.NDArray[np.float64]:
-        """Returns an array of finite numbers.
+        """Returns an array of finite numbers, at most `LARGEST` in magnitude.
 
         shape:  expected sizes; names stand for sizes in `sizes`, or for any size, which is then
                 added to `sizes`.
         """
         array = self._array(key, "iuf", shape, sizes)
         result = array.astype(np.float64)
-        if not np.isfinite(result).all():
-            first = np.argwhere(~np.isfinite(result))[0].tolist()
-            raise self.error(key, f"the element {first} is not a finite number")
+        # The comparison is false for NaN, too.
+        if result.size and not (-LARGEST <= result.min() and result.max() <= LARGEST):
+            first = np.argwhere(~(np.abs(result) <= LARGEST))[0]
+            value = result[tuple(first)]
+            what = f"{value:g}, expected within 2^60" if np.isfinite(value) else "not a finite number"
+            raise self.error(key, f"the element {first.tolist()} is {what}: save the file again with "
+                                  "correct numbers")
         return result
 
     def integers(self, key: str, shape: Tuple[Axis, ...],

@@ -21,7 +21,7 @@ import numpy.typing as npt
 from pelt import _pelt
 from pelt._arrays import Array, floats
 from pelt._model import Model
-from pelt._npz import Npz, Path, refuse_pickle
+from pelt._npz import LARGEST, Npz, Path, refuse_pickle
 from pelt._pelt import Error
 from pelt._poses import Vertices
 from pelt._run import run
@@ -76,7 +76,12 @@ class BodyModel:
                         f"{self.shape_directions.shape[2]}: give no more, for example betas[:10]")
         if not np.isfinite(values).all():
             raise Error("betas: expected finite numbers")
-        rest = self.template + self.shape_directions[:, :, :len(values)] @ values
+        with np.errstate(over="ignore", invalid="ignore"):
+            rest = self.template + self.shape_directions[:, :, :len(values)] @ values
+        wrong = np.flatnonzero(~(np.abs(rest) <= LARGEST).all(axis=1))  # also those that are NaN
+        if len(wrong):
+            raise Error(f"betas: vertex {wrong[0]} of this shape is at {rest[wrong[0]].tolist()}, expected "
+                        "within 2^60: use smaller shape parameters; those of people are mostly from -5 to 5")
         return Subject(self, rest)
 
     def __repr__(self) -> str:
@@ -182,16 +187,27 @@ def load(path: Path) -> BodyModel:
     sizes: Dict[str, int] = {}
     with Npz(path) as npz:
         weights = npz.floats("weights", ("V", "J"), sizes)
-        if sizes["J"] < 1:
-            raise npz.error("weights", "there are no joints")
+        _check_weights(npz, weights)
         body = BodyModel(
             npz.floats("v_template", ("V", 3), sizes), npz.floats("shapedirs", ("V", 3, "B"), sizes),
             npz.floats("posedirs", ("V", 3, 9 * (sizes["J"] - 1)), sizes),
             npz.floats("J_regressor", ("J", "V"), sizes), weights, _parents(npz, sizes),
             npz.integers("f", ("T", 3), sizes))
-        if body.faces.size and not 0 <= body.faces.min() <= body.faces.max() < sizes["V"]:
+        if not body.faces.size:
+            raise npz.error("f", "there are no triangles")
+        if not 0 <= body.faces.min() <= body.faces.max() < sizes["V"]:
             raise npz.error("f", f"expected vertices from 0 to {sizes['V'] - 1}")
     return body
+
+
+def _check_weights(npz: Npz, weights: Doubles) -> None:
+    if weights.shape[1] < 1:
+        raise npz.error("weights", "there are no joints")
+    stored = weights.astype(np.float32)
+    wrong = np.flatnonzero((stored < 0).any(axis=1) | ~(stored > 0).any(axis=1))
+    if len(wrong):
+        raise npz.error("weights", f"vertex {wrong[0]} has a weight less than 0, or none greater than 0: "
+                                   "save the file again with correct weights")
 
 
 def _parents(npz: Npz, sizes: Any) -> npt.NDArray[np.int64]:

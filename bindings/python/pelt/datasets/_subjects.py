@@ -175,7 +175,10 @@ class Folder:
         if len(betas) > most:
             raise Error(f"{path}: betas: {len(betas)} shape parameters, but {body_model} has {most}: "
                         f"measure with `--betas {most}`, or betas={most}")
-        return _subject(body_model, betas)
+        try:
+            return _subject(body_model, betas)
+        except Error as error:
+            raise Error(f"{path}: {error}") from error
 
     def summary(self, name: str, values: npt.NDArray[np.float64]) -> Row:
         """Returns the mean of a metric, its maximum, and the frame of the maximum."""
@@ -242,4 +245,7 @@ def _subject(path: str, betas: npt.NDArray[np.float64]) -> Subject:
 def _shaped_subject(path: str, version: Tuple[int, int], betas: bytes) -> Subject:
     """Consecutive clips often are of the same one or two subjects."""
     body_hash, body = _loaded_body(path, version)
-    return Subject(body.subject(np.frombuffer(betas)), body_hash)
+    try:
+        return Subject(body.subject(np.frombuffer(betas)), body_hash)
+    except Error as error:
+        raise Error(f"{path}: {error}") from error
