@@ -103,20 +103,27 @@ class Grid {
   std::vector<Entry> cells_;
 };
 
+/// Returns the square of a distance, rounded up so far that the rounded sum of squares of a
+/// distance that is not longer never exceeds it.
+double rounded_up_square(double distance) { return distance * distance * (1 + 1e-12); }
+
 /// Returns the closest vertex that is not near along the edges, up to a distance. Of equally
 /// distant vertices, the lowest.
 Neighbour closest_far_vertex(std::span<const Vec3> points, const Grid& grid,
                              const NearAlongEdges& near, std::size_t vertex, double limit) {
   Neighbour closest;
-  double least = limit;
+  double least = limit, least_square = rounded_up_square(limit);
   grid.visit_around(vertex, [&](std::uint32_t other) {
     const Vec3 &p = points[vertex], &q = points[other];
-    const double distance = std::hypot(double{p.x} - q.x, double{p.y} - q.y, double{p.z} - q.z);
+    const double x = double{p.x} - q.x, y = double{p.y} - q.y, z = double{p.z} - q.z;
+    // Most vertices are farther, or near along the edges. `hypot` is only for the others.
+    if (x * x + y * y + z * z > least_square || near.near(vertex, other)) return;
+    const double distance = std::hypot(x, y, z);
     const auto index = static_cast<std::int32_t>(other);
     if (distance > least || (distance == least && (closest.vertex < 0 || index > closest.vertex)))
       return;
-    if (near.near(vertex, other)) return;
     least = distance;
+    least_square = rounded_up_square(least);
     closest = {static_cast<float>(distance), index};
   });
   return closest;
