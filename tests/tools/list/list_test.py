@@ -151,6 +151,20 @@ class ListTests(unittest.TestCase):
         failed = [one["scene"] for one in self.entries(self.check(*options)[1]) if one["failed"]]
         self.assertEqual(failed, ["apart.json", "clips.json"])
 
+    def test_scenes_of_the_baseline_that_the_list_lacks_are_named(self):
+        self.write_list(["missing.json", "pair.json", "one.json", "apart.json"])
+        (self.folder / "known.jsonl").write_bytes(self.check()[1])
+        options = ["--baseline", "known.jsonl"]
+        for names, words in ((["apart.json", "pair.json", "one.json"], None),
+                             (["apart.json", "pair.json"], '1 scene that list.txt lacks, first "one.json"'),
+                             (["one.json"], '2 scenes that list.txt lacks, first "pair.json"')):
+            self.write_list(names)
+            shards = self.pelt("check", "--scenes", "list.txt", *options, "--shard", "1/1", "-o", "1.shard")
+            for code, _, error in (self.check(*options)[0], shards):
+                self.assertEqual(code, 0)
+                self.assertEqual(error, words and f"pelt: warning: --baseline: known.jsonl: has {words}: "
+                                                  "add them to the list to compare them\n" or "")
+
     def test_bad_baselines_are_named(self):
         self.write_list(["pair.json"])
         good = self.check()[1]

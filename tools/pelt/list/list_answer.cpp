@@ -147,6 +147,7 @@ Result<arguments::ExitCode> run_list(const check::CheckArguments& arguments) {
   if (const auto chosen = arguments::choose_simd(arguments.simd); !chosen) return chosen.error();
   const Result<ListPlan> plan = ListPlan::make(arguments);
   if (!plan) return plan.error();
+  warn_of_missing_scenes(*plan);
   const std::size_t count = plan->scenes.size();
   return write_list(arguments, count, [&](const UseScene& use) {
     return ask_scenes(*plan, {0, count}, use);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <unordered_set>
 
 namespace pelt::tools::list {
 namespace {
@@ -44,8 +45,9 @@ Result<ListBaseline> ListBaseline::read(const std::string& path) {
     if (!entry) break;
     const auto lines = read_lines_of(*entry, in);
     if (!lines) break;
-    if (!lines->empty())
-      baseline.texts_[entry->scene] = lines->front() + '\n' + lines->back() + '\n';
+    if (lines->empty()) continue;
+    baseline.scenes_.push_back(entry->scene);
+    baseline.texts_[entry->scene] = lines->front() + '\n' + lines->back() + '\n';
   }
   return output::bad_argument(place, "is incomplete or damaged", kRemedy);
 }
@@ -53,6 +55,15 @@ Result<ListBaseline> ListBaseline::read(const std::string& path) {
 std::string ListBaseline::text_of(const std::string& scene) const {
   const auto found = texts_.find(scene::as_json_holds(scene));
   return found == texts_.end() ? "" : found->second;
+}
+
+std::vector<std::string> ListBaseline::scenes_missing_in(
+    std::span<const std::string> scenes) const {
+  std::unordered_set<std::string> there;
+  for (const std::string& scene : scenes) there.insert(scene::as_json_holds(scene));
+  std::vector<std::string> missing = scenes_;
+  std::erase_if(missing, [&](const std::string& scene) { return there.contains(scene); });
+  return missing;
 }
 
 }  // namespace pelt::tools::list

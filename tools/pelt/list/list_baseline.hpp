@@ -4,8 +4,10 @@
 
 #include <pelt/result.hpp>
 
+#include <span>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace pelt::tools::list {
 
@@ -19,7 +21,12 @@ class ListBaseline {
   /// them. "" if the scene was not in the list, or could not be checked.
   std::string text_of(const std::string& scene) const;
 
+  /// The scenes that only the earlier list has, in its order. Those that could not be checked are
+  /// left out.
+  std::vector<std::string> scenes_missing_in(std::span<const std::string> scenes) const;
+
  private:
+  std::vector<std::string> scenes_;  // as JSON holds them
   std::unordered_map<std::string, std::string> texts_;
 };
 

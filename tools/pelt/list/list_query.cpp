@@ -1,5 +1,7 @@
 #include "tools/pelt/list/list_query.hpp"
 
+#include "asset/message.hpp"
+#include "asset/printable.hpp"
 #include "base/workers.hpp"
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/check/check_command.hpp"
@@ -10,6 +12,7 @@
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
+#include <iostream>
 #include <sstream>
 #include <utility>
 
@@ -93,6 +96,16 @@ Result<ListPlan> ListPlan::make(const check::CheckArguments& arguments) {
   if (!baseline) return baseline.error();
   plan.baseline = std::move(*baseline);
   return plan;
+}
+
+void warn_of_missing_scenes(const ListPlan& plan) {
+  if (!plan.baseline) return;
+  const std::vector<std::string> missing = plan.baseline->scenes_missing_in(plan.scenes);
+  if (missing.empty()) return;
+  std::cerr << "pelt: warning: --baseline: " << asset::printable(plan.arguments.baseline)
+            << ": has " << output::counted(missing.size(), "scene") << " that "
+            << asset::printable(plan.arguments.scenes) << " lacks, first "
+            << asset::quoted(missing[0]) << ": add them to the list to compare them\n";
 }
 
 Result<void> ask_scenes(const ListPlan& plan, const SceneIndices& indices, const UseScene& use) {

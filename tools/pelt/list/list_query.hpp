@@ -33,6 +33,10 @@ struct SceneIndices {
   std::size_t count() const { return end - begin; }
 };
 
+/// Names on standard error the first scene of the baseline that the list lacks, if any: that a
+/// scene was lost or renamed must not look like success.
+void warn_of_missing_scenes(const ListPlan& plan);
+
 /// Uses the answer of a scene.
 using UseScene = std::function<Result<void>(const SceneAnswer& answer)>;
 
