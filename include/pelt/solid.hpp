@@ -167,7 +167,10 @@ PELT_API QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch,
 /// Where a ray enters a solid. If the ray does not hit the solid, t is infinite.
 struct SolidHit {
   float t = std::numeric_limits<float>::infinity();
-  Vec3 normal;  ///< unit normal out of the solid; zero if the ray is already inside at t_min
+
+  /// Unit normal out of the solid; zero if and only if the ray is already inside at t_min. Where a
+  /// sphere or capsule with radius 0 has many normals, one of them that points against the ray.
+  Vec3 normal;
 
   /// Whether anything was hit.
   explicit operator bool() const { return t < std::numeric_limits<float>::infinity(); }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace pelt {
 namespace {
@@ -20,6 +21,7 @@ using detail::Vec3d;
 /// Interval of t in which a ray is inside; empty unless from <= to.
 struct Stay {
   double from = -HUGE_VAL, to = HUGE_VAL;
+  Vec3d out;  ///< the direction out of the solid where the ray enters, of any length
 
   /// Restricts the interval to value + t * slope <= 0. Returns whether its start has increased.
   bool keep_below(double value, double slope) {
@@ -34,31 +36,35 @@ struct Stay {
 struct Line {
   explicit Line(const Ray& ray) : origin(ray.origin), direction(ray.direction) {}
 
-  Vec3d at(double t) const { return origin + t * direction; }
-
   Vec3d origin, direction;
 };
 
-/// Returns the interval with |way + t * direction| <= radius.
+/// Returns the interval with |way + t * direction| <= radius. A ball without a radius has every
+/// direction as a normal; this chooses the one against the ray.
 Stay stay_near(const Vec3d& way, const Vec3d& direction, double radius) {
   const double speed = squared_length(direction);
   const double closest = speed > 0 ? -dot(way, direction) / speed : 0;
-  const double room = radius * radius - squared_length(way + closest * direction);
-  if (room < 0) return {HUGE_VAL, -HUGE_VAL};
+  const Vec3d passing = way + closest * direction;
+  const double room = radius * radius - squared_length(passing);
+  if (room < 0) return {HUGE_VAL, -HUGE_VAL, {}};
   if (speed == 0) return {};
   const double half = std::sqrt(room / speed);
-  return {closest - half, closest + half};
+  const Vec3d out = radius > 0 ? passing - half * direction : -1.0 * direction;
+  return {closest - half, closest + half, out};
 }
 
-/// Returns the interval within the cylinder between the ends of a capsule.
+/// Returns the interval within the cylinder between the ends of a capsule. Its flat ends are in the
+/// balls, so they are no part of the surface. Only a ray along a capsule without a radius enters
+/// there.
 Stay stay_beside(const Line& line, const Capsule& capsule) {
   const Vec3d edge = Vec3d(capsule.b) - Vec3d(capsule.a), way = line.origin - Vec3d(capsule.a);
   const double length = squared_length(edge);
-  if (!(length > 0)) return {HUGE_VAL, -HUGE_VAL};
+  if (!(length > 0)) return {HUGE_VAL, -HUGE_VAL, {}};
   const double place = dot(way, edge) / length, slope = dot(line.direction, edge) / length;
   Stay stay = stay_near(way - place * edge, line.direction - slope * edge, double{capsule.radius});
   stay.keep_below(-place, -slope);
   stay.keep_below(place - 1, slope);
+  if (!(squared_length(stay.out) > 0)) stay.out = -1.0 * line.direction;
   return stay;
 }
 
@@ -67,49 +73,40 @@ Vec3 unit(const Vec3d& v) {
   return length > 0 ? to_float((1 / length) * v) : Vec3();
 }
 
-/// Returns the direction from the closest point of the capsule's segment to `p`.
-Vec3 normal_at(const Vec3d& p, const Capsule& capsule) {
-  const Vec3d a(capsule.a), edge = Vec3d(capsule.b) - a;
-  const double length = squared_length(edge);
-  const double share = length > 0 ? std::clamp(dot(p - a, edge) / length, 0.0, 1.0) : 0;
-  return unit(p - a - share * edge);
-}
-
-/// Updates `hit` if the ray enters a piece earlier. Returns whether the normal must be set.
-bool take(const Stay& stay, const Ray& ray, SolidHit& hit) {
-  const double t = std::max(stay.from, double{ray.t_min});
-  if (!(t <= std::min(stay.to, double{ray.t_max})) || !(t < double{hit.t})) return false;
-  hit.t = static_cast<float>(t);
-  return stay.from > double{ray.t_min};
+/// Returns the first of the entries into the pieces of a solid. If the ray begins in any piece, the
+/// normal is zero.
+SolidHit first_entry(std::initializer_list<Stay> pieces, const Ray& ray) {
+  SolidHit hit;
+  double first = HUGE_VAL;
+  for (const Stay& stay : pieces) {
+    const double t = std::max(stay.from, double{ray.t_min});
+    if (!(t <= std::min(stay.to, double{ray.t_max})) || !(t < first)) continue;
+    first = t;
+    hit.t = static_cast<float>(t);
+    hit.normal = stay.from > double{ray.t_min} ? unit(stay.out) : Vec3();
+  }
+  return hit;
 }
 
 SolidHit cast_at(const detail::FacesRegion& faces, const Ray& ray) {
   const Line line(ray);
   Stay stay;
-  Vec3d normal;
   for (std::uint32_t i = 0; i < faces.count; ++i) {
     const detail::Face& face = faces.exact[i];
     const Vec3d n(face.normal);
     const double value = dot(n, line.origin - Vec3d(face.origin)) - double{face.offset};
-    if (stay.keep_below(value, dot(n, line.direction))) normal = n;
+    if (stay.keep_below(value, dot(n, line.direction))) stay.out = n;
   }
-  SolidHit hit;
-  if (take(stay, ray, hit)) hit.normal = unit(normal);
-  return hit;
+  return first_entry({stay}, ray);
 }
 
 SolidHit cast_at(const Capsule& capsule, const Ray& ray) {
   const Line line(ray);
-  SolidHit hit;
-  for (const Stay& stay :
-       {stay_near(line.origin - Vec3d(capsule.a), line.direction, double{capsule.radius}),
-        stay_near(line.origin - Vec3d(capsule.b), line.direction, double{capsule.radius}),
-        stay_beside(line, capsule)}) {
-    const float before = hit.t;
-    const bool enters = take(stay, ray, hit);
-    if (hit.t != before) hit.normal = enters ? normal_at(line.at(double{hit.t}), capsule) : Vec3();
-  }
-  return hit;
+  const double radius{capsule.radius};
+  return first_entry({stay_near(line.origin - Vec3d(capsule.a), line.direction, radius),
+                      stay_near(line.origin - Vec3d(capsule.b), line.direction, radius),
+                      stay_beside(line, capsule)},
+                     ray);
 }
 
 }  // namespace

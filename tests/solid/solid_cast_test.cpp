@@ -67,6 +67,29 @@ TEST(SolidCast, GivesPlacesAndNormals) {
   EXPECT_FALSE(test::first_hit(Sphere{{0.25f, 10, 0}, 0.5f}, down));  // behind it
 }
 
+/// A normal of zero would mean that the ray begins inside.
+TEST(SolidCast, GivesNormalsOfPointsAndSegments) {
+  const Ray down = {{0.25f, 9, 0}, {0, -2, 0}}, along = {{-5, 0, 0}, {3, 0, 0}};
+  const Capsule segment{{-1, 0, 0}, {1, 0, 0}, 0}, point{{0.25f, 1, 0}, {0.25f, 1, 0}, 0};
+  EXPECT_EQ(test::first_hit(Sphere{{0.25f, 1, 0}, 0}, down).t, 4);
+  EXPECT_EQ(test::first_hit(Sphere{{0.25f, 1, 0}, 0}, down).normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(test::first_hit(point, down).normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(test::first_hit(segment, down).t, 4.5f);
+  EXPECT_EQ(test::first_hit(segment, down).normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(test::first_hit(segment, {{-1.75f, 2, 0}, {1, -1, 0}}).normal, (Vec3{0, 1, 0}));
+  EXPECT_EQ(test::first_hit(segment, along).normal, (Vec3{-1, 0, 0}));
+  EXPECT_EQ(test::first_hit(segment, {{0, 0, 0}, {3, 0, 0}}).normal, Vec3());
+}
+
+/// Far away, t as a float is off by more than the radius of the ball.
+TEST(SolidCast, GivesNormalsFarAway) {
+  const Ray ray = {{1 << 20, 0, 0}, {-1, 0, 0}};
+  const SolidHit ball = test::first_hit(Sphere{{0.33f, 0, 0}, 0x1p-8f}, ray);
+  EXPECT_EQ(ball.normal, (Vec3{1, 0, 0}));
+  const Capsule pin{{0.33f, -1, 0}, {0.33f, 1, 0}, 0x1p-8f};
+  EXPECT_EQ(test::first_hit(pin, ray).normal, (Vec3{1, 0, 0}));
+}
+
 /// From a million units away, a ball of one unit is still hit at the right position.
 TEST(SolidCast, IsRightFromFarAway) {
   const SolidHit hit = test::first_hit(Sphere{{0, 0, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}});
