@@ -75,11 +75,16 @@ struct ContactTrace {
   /// and n_b are the unit normals of the triangles. If both normals are equal, `normal` is n_b. The
   /// normal of a collapsed triangle counts as zero. If both triangles have collapsed, `normal` is
   /// zero.
+  ///
+  /// Error: n_a and n_b are off by less than 2^-24. For triangles that are nearly in one plane,
+  /// n_b - n_a is small, and the direction of `normal` may be wrong. In one plane, it is right.
   Vec3 normal;
 
-  /// Overlap of the two triangles along `normal`. After the triangle of `a` has moved by `depth`
-  /// along `normal`, the triangles at most touch. A finer mesh gives a smaller depth. For the depth
-  /// of one body inside another, see `deepest_vertex`.
+  /// Overlap of the two triangles along `normal`, 0 or more. After the triangle of `a` has moved by
+  /// `depth` along `normal`, the triangles at most touch, up to the error. A finer mesh gives a
+  /// smaller depth. For the depth of one body inside another, see `deepest_vertex`.
+  ///
+  /// Error: less than 2^-23 times the longest distance between two corners of the triangles.
   float depth = 0;
 
   std::uint16_t joint_a = 0, joint_b = 0;  ///< main joints of the triangles (see `Surface`)
@@ -191,9 +196,10 @@ PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b
 /// Along a curve, triangle_a may change sides, because triangle_a is always the triangle with the
 /// lower number. Where triangle_a changes sides, `CurveStep::is_reversed` changes, too.
 ///
-/// In general position, each curve of a closed surface is closed, or starts and ends at corners
-/// that two intersecting triangles share, for example at the ends of a crease. If a filter of
-/// `self_collide` has left out contacts, curves end where these contacts are missing.
+/// A segment that ends at a corner that its two triangles share is not chained there. In general
+/// position, each curve of a closed surface is closed, or starts and ends at such corners, for
+/// example at the ends of a crease. If a filter of `self_collide` has left out contacts, curves end
+/// where these contacts are missing.
 ///
 /// Unlike `self_collide`, this function does not treat vertices with different influences as one
 /// vertex, even if their positions are equal. A curve ends at a seam between such vertices.

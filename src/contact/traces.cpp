@@ -22,15 +22,21 @@ Vec3d centre(const TriangleCorners& t) {
   return (1.0 / 3) * (Vec3d(t[0]) + Vec3d(t[1]) + Vec3d(t[2]));
 }
 
-Vec3d leaving_direction(const TriangleCorners& a, const TriangleCorners& b) {
-  const Vec3d normal_b = unit(area_vector(b)), between = unit(normal_b - unit(area_vector(a)));
+/// In one plane, normals are equal or opposite, and n_b - n_a has the direction of n_b or is zero.
+/// Equal normals differ by rounding once they are computed, and their difference has any direction.
+Vec3d leaving_direction(const TriangleCorners& a, const TriangleCorners& b, ContactKind kind) {
+  const Vec3d normal_b = unit(area_vector(b));
+  if (kind == ContactKind::coplanar) return normal_b;
+  const Vec3d between = unit(normal_b - unit(area_vector(a)));
   return squared_length(between) > 0 ? between : normal_b;
 }
 
-/// The distance by which b extends beyond the start of a along a direction.
+/// The distance by which b extends beyond the start of a along a direction. The triangles touch, so
+/// a negative difference is rounding.
 double depth_along(const Vec3d& direction, const TriangleCorners& a, const TriangleCorners& b) {
   const auto at = [&](const Vec3& p) { return dot(direction, Vec3d(p)); };
-  return std::max({at(b[0]), at(b[1]), at(b[2])}) - std::min({at(a[0]), at(a[1]), at(a[2])});
+  const double end_of_b = std::max({at(b[0]), at(b[1]), at(b[2])});
+  return std::max(end_of_b - std::min({at(a[0]), at(a[1]), at(a[2])}), 0.0);
 }
 
 /// Positions depend on the order of the features, by rounding.
@@ -72,7 +78,7 @@ ContactTrace trace_of(const Contact& contact, const ContactCorners& corners,
   } else {
     trace.from = trace.to = to_float(0.5 * (centre(corners_a) + centre(corners_b)));
   }
-  const Vec3d normal = leaving_direction(corners_a, corners_b);
+  const Vec3d normal = leaving_direction(corners_a, corners_b, trace.kind);
   trace.normal = to_float(normal);
   trace.depth = static_cast<float>(depth_along(normal, corners_a, corners_b));
   trace.joint_a = surfaces.a.joints[contact.triangle_a];

@@ -276,10 +276,98 @@ TEST(Contact, DescribesCoplanarAndCollapsedTriangles) {
   check_patches(geometry);
 }
 
+/// A shape that follows one joint.
+Shape still(std::vector<Vec3> positions, std::vector<Triangle> triangles) {
+  Shape shape;
+  shape.influences_per_vertex = 1;
+  shape.joints.assign(positions.size(), 0);
+  shape.weights.assign(positions.size(), 1);
+  shape.rest_positions = std::move(positions);
+  shape.triangles = std::move(triangles);
+  return shape;
+}
+
+/// Returns the corners of `count` triangles that have not collapsed, in the plane of u and v.
+std::vector<Vec3> corners_in_plane(Random& random, std::size_t count, const Vec3d& u,
+                                   const Vec3d& v) {
+  std::vector<Vec3> corners;
+  while (corners.size() < 3 * count) {
+    std::array<Vec3d, 3> c;
+    for (Vec3d& corner : c)
+      corner = (random.index(9) - 4.0) * u + (random.index(9) - 4.0) * v + Vec3d(Vec3{64, 0, 0});
+    if (squared_length(cross(c[1] - c[0], c[2] - c[0])) == 0) continue;
+    for (const Vec3d& corner : c) corners.push_back(detail::to_float(corner));
+  }
+  return corners;
+}
+
+Vec3d normal_of(const Shape& shape, std::uint32_t triangle) {
+  std::array<Vec3d, 3> c;
+  for (std::size_t k = 0; k < 3; ++k)
+    c[k] = Vec3d(shape.rest_positions[shape.triangles[triangle][k]]);
+  const Vec3d normal = cross(c[1] - c[0], c[2] - c[0]);
+  return (1 / std::sqrt(squared_length(normal))) * normal;
+}
+
+/// Unit normals that are equal differ by rounding once they are computed.
+TEST(Contact, InOnePlaneTheNormalIsThatOfB) {
+  Random random(22);
+  const std::array<Vec3d, 3> edges = {Vec3d(Vec3{1, 0, 1}), Vec3d(Vec3{2, 1, 0}),
+                                      Vec3d(Vec3{1, 2, 3})};
+  std::size_t equal = 0, opposite = 0;
+  for (std::size_t round = 0; round < 3; ++round) {
+    std::array<Shape, 2> shapes;
+    for (Shape& shape : shapes) {
+      shape = still(corners_in_plane(random, 30, edges[round], edges[(round + 1) % 3]), {});
+      for (std::uint32_t i = 0; i < 90; i += 3) shape.triangles.push_back({i, i + 1, i + 2});
+    }
+    Body a(shapes[0]), b(shapes[1]);
+    for (const ContactTrace& trace : geometry_of(a, b).traces) {
+      const Vec3d n_a = normal_of(shapes[0], trace.contact.triangle_a);
+      const Vec3d n_b = normal_of(shapes[1], trace.contact.triangle_b);
+      EXPECT_EQ(trace.kind, ContactKind::coplanar);
+      EXPECT_LT(squared_length(Vec3d(trace.normal) - n_b), 1e-12);
+      EXPECT_TRUE(trace.depth >= 0 && trace.depth < 1e-12f) << trace.depth;
+      ++(dot(n_a, n_b) > 0 ? equal : opposite);
+    }
+  }
+  std::cout << equal << " equal, " << opposite << " opposite\n";
+  EXPECT_GT(equal, 500u);
+  EXPECT_GT(opposite, 500u);
+}
+
+using Corners = std::array<Vec3d, 3>;
+
+std::vector<Corners> posed_corners(const Shape& shape, const Body& body) {
+  std::vector<Vec3> posed(shape.rest_positions.size());
+  posed_vertices(body.pose, posed);
+  std::vector<Corners> corners;
+  for (const auto& [i, j, k] : shape.triangles)
+    corners.push_back({Vec3d(posed[i]), Vec3d(posed[j]), Vec3d(posed[k])});
+  return corners;
+}
+
+/// The depth is that of the definition, within the error that the header states.
+void check_depth(const ContactTrace& trace, const Corners& a, const Corners& b) {
+  const Vec3d normal(trace.normal);
+  double longest = 0, overlap = -HUGE_VAL;
+  for (const Vec3d& p : a)
+    for (const Vec3d& q : b) {
+      longest = std::max(longest, squared_length(q - p));
+      overlap = std::max(overlap, dot(normal, q - p));
+    }
+  for (const Corners& t : {a, b})
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, squared_length(t[(k + 1) % 3] - t[k]));
+  EXPECT_GE(trace.depth, 0);
+  EXPECT_LT(std::abs(double{trace.depth} - overlap), 0x1p-23 * std::sqrt(longest));
+}
+
 TEST(Contact, OfASoupIsComplete) {
   Random random(7);
-  Body a(make_soup(random, 400, 5, 3, Weights::random));
-  Body b(make_soup(random, 300, 4, 4, Weights::adversarial));
+  const Shape shape_a = make_soup(random, 400, 5, 3, Weights::random);
+  const Shape shape_b = make_soup(random, 300, 4, 4, Weights::adversarial);
+  Body a(shape_a), b(shape_b);
   std::set<ContactKind> kinds;
   for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed}) {
     a.set(make_palette(random, 5, motion, 0.2));
@@ -288,7 +376,12 @@ TEST(Contact, OfASoupIsComplete) {
     EXPECT_GT(geometry.traces.size(), 100u);
     check_curves(geometry);
     check_patches(geometry);
-    for (const ContactTrace& trace : geometry.traces) kinds.insert(trace.kind);
+    const std::vector<Corners> corners_a = posed_corners(shape_a, a);
+    const std::vector<Corners> corners_b = posed_corners(shape_b, b);
+    for (const ContactTrace& trace : geometry.traces) {
+      check_depth(trace, corners_a[trace.contact.triangle_a], corners_b[trace.contact.triangle_b]);
+      kinds.insert(trace.kind);
+    }
   }
   EXPECT_TRUE(kinds.contains(ContactKind::segment) && kinds.contains(ContactKind::collapsed));
 }
