@@ -39,6 +39,29 @@ class Ground(Case):
         np.testing.assert_allclose(found.penetrate, [0.5, 0.75], atol=1e-6)
         np.testing.assert_allclose(found.skate, [np.sqrt(5)], atol=1e-6)
 
+    def test_up_of_any_length(self):
+        expected = self.of_boxes([0, 3.5, 0], [1, 3.25, 2], up=[0, 1, 1], height=2)
+        self.assertGreater(expected.penetrate[0], 0.5)
+        for length in (1e-200, 1e200, 3e307):
+            found = self.of_boxes([0, 3.5, 0], [1, 3.25, 2], up=[0, length, length], height=2)
+            for a, b in zip(found, expected):
+                np.testing.assert_allclose(a, b, rtol=1e-12, err_msg=str(length))
+
+    def test_triangles_of_the_half_space(self):
+        """The triangles at the ground are those of a half-space whose normal has the length 1."""
+        solid = pelt.HalfSpace([0, 1, 0], 0.25)
+        poses = moved([0, 1.25, 0], [0, 1.375, 0])
+        found = pelt.collide_solid(box_model(), poses, solid).per_frame() > 0
+        np.testing.assert_array_equal(found, [True, False])
+        lowest = metrics.ground(box_model(), poses, up=[0, 2, 0], height=0.25, tolerance=0)
+        np.testing.assert_array_equal(lowest.floating, [0, 0.125])
+
+    def test_vertices_on_the_ground_along_an_axis(self):
+        """Vertices exactly at the height of the ground stay on it."""
+        for up in ([0, 0, 3], [0, 0, 0.1]):
+            found = self.of_boxes([0.1, 0.1, 1.125], [3.1, 4.1, 1.125], up=up, height=0.125)
+            np.testing.assert_allclose(found.skate, [5], atol=1e-6)
+
     def test_tolerance(self):
         found = self.of_boxes([0, 0, 0.9], tolerance=0.2)
         self.assertEqual(found.penetrate[0], 0)

@@ -45,6 +45,8 @@ def ground(model: Model, poses: PosesLike, *, up: Array = (0, 0, 1), height: flo
     are at most at the height of the ground in two consecutive frames. All are in model units. Papers
     give the means over all frames, in millimetres: `1000 * ground(...).penetrate.mean()`. Their
     Phys-Err is the sum of the three means.
+    Heights are computed in float64. Unless `up` is along an axis, vertices nearer to the ground than
+    2^-48 times the largest coordinate or height may count as above or below it.
     Source: PhysDiff (Yuan et al., ICCV 2023), "Penetrate", "Float", "Skate" with a tolerance of 5 mm;
     its skate uses joints of the feet. UniversalHumanoidControl, uhc/smpllib/smpl_eval.py, uses
     vertices, as this function does.
@@ -52,11 +54,12 @@ def ground(model: Model, poses: PosesLike, *, up: Array = (0, 0, 1), height: flo
     Misjudges: some programs take the lowest of the vertices above the ground for floating, so that a
     coarse body that stands in the ground also floats; here, it does not. Lying and sitting bodies
     skate by the vertices of all their parts. The triangles at the ground are those of
-    `pelt.collide_solid(model, poses, pelt.HalfSpace(up, height))`.
+    `pelt.collide_solid(model, poses, pelt.HalfSpace(up, height))`, if `up` has the length 1.
     """
     along = floats("up", up).astype(np.float64)
     if along.shape != (3,) or not np.isfinite(along).all() or not along.any():
         raise Error(f"up: expected a direction [3], found {np.asarray(up).tolist()}")
+    along /= np.abs(along).max()  # so that no square overflows or becomes 0
     along /= np.linalg.norm(along)
     level, least = number("height", height), number("tolerance", tolerance)
     if not (np.isfinite(level) and 0 <= least < np.inf):
