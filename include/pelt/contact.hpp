@@ -35,9 +35,9 @@ class PELT_API Surface {
   /// Whether the surface is closed: each edge belongs to exactly two triangles, which traverse the
   /// edge in opposite directions. A closed surface separates inside from outside in every pose.
   ///
-  /// Vertices are bit-identical if they have the same bits in rest position, influences and
-  /// displacements. Bit-identical vertices count as one vertex. Triangles with a repeated vertex
-  /// are ignored. If all triangles have a repeated vertex, the surface is not closed.
+  /// Vertices that the model has merged (see `ModelOptions::weld`) count as one vertex. Triangles
+  /// with a repeated vertex are ignored. If all triangles have a repeated vertex, the surface is
+  /// not closed.
   bool is_closed() const;
 
   const SkinnedModel& model() const;

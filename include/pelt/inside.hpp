@@ -50,8 +50,8 @@ inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
 /// Result of `deepest_vertex`.
 struct Penetration {
-  /// Index of the vertex in the model of `a`. If several vertices are bit-identical (see
-  /// `Surface::is_closed`), the lowest of their indices.
+  /// Index of the vertex in the model of `a`. If the model has merged several vertices (see
+  /// `ModelOptions::weld`), the lowest of their indices.
   std::uint32_t vertex = kNoVertex;
 
   Vec3 position;         ///< of the vertex

@@ -24,9 +24,10 @@ TEST(Surface, WithATriangleTurnedRoundIsNotClosed) {
   EXPECT_FALSE(Surface(model_of(limb)).is_closed());
 }
 
-TEST(Surface, IsClosedAcrossSeams) {
+/// A limb in which no two triangles share a vertex index.
+Shape split_limb() {
   const Shape limb = make_limb(12, 9, 3);
-  Shape split = limb;  // no two triangles share a vertex index
+  Shape split = limb;
   split.rest_positions.clear();
   split.joints.clear();
   split.weights.clear();
@@ -40,7 +41,20 @@ TEST(Surface, IsClosedAcrossSeams) {
       }
       vertex = static_cast<std::uint32_t>(split.rest_positions.size() - 1);
     }
-  EXPECT_TRUE(Surface(model_of(split)).is_closed());
+  return split;
+}
+
+TEST(Surface, IsClosedAcrossSeams) { EXPECT_TRUE(Surface(model_of(split_limb())).is_closed()); }
+
+TEST(Surface, IsOpenAlongSeamsThatTheModelHasNotMerged) {
+  const Shape split = split_limb();
+  EXPECT_FALSE(Surface(*build_model(split.view(), {.weld = false})).is_closed());
+  SkinnedMeshView view = split.view();
+  std::vector<float> caps(split.rest_positions.size(), 0);
+  view.offset_caps = caps;
+  EXPECT_TRUE(Surface(*build_model(view)).is_closed());
+  caps[5] = 0.25f;
+  EXPECT_FALSE(Surface(*build_model(view)).is_closed());
 }
 
 TEST(Surface, OfATriangleWithARepeatedVertexIsNotClosed) {
