@@ -9,8 +9,8 @@
 /// Exactness: answers depend only on the float32 posed vertices (see `posed_vertices`), and not on
 /// earlier queries or on the machine. For an exception, see `DistanceOptions::tolerance`. The
 /// distance of two triangles is 0 if and only if they intersect as in `collide`, which is decided
-/// exactly. Otherwise the distance is computed in double and is positive. Of equally distant
-/// triangles, those with the lowest indices are reported.
+/// exactly. Otherwise the distance is computed in double and is positive. Of triangles whose
+/// computed distances are equal, those with the lowest indices are reported.
 ///
 /// Error: let s be the longest side of the axis-aligned box around two triangles. The error of
 /// their distance is less than 2^-46 s. In addition, triangles are never computed to be much closer

@@ -151,8 +151,8 @@ struct SolidDistance {
 /// decided exactly. A triangle inside the solid touches the solid. If the distance is 0, the
 /// touching triangle with the lowest index is reported, and the two points are equal: a point that
 /// belongs to this triangle and to the solid. Otherwise the distance is computed in double
-/// precision and is positive. Of equally distant triangles, the one with the lowest index is
-/// reported.
+/// precision and is positive. Of triangles whose computed distances are equal, the one with
+/// the lowest index is reported.
 ///
 /// Error: less than 2^-45 c, where c is the largest absolute coordinate of the posed vertices and
 /// of the solid's surface. A half-space has an unbounded surface, so |offset| / |normal| is used
