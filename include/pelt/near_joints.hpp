@@ -40,8 +40,9 @@ struct NearJoints {
   std::vector<TriangleZone> zones;                           ///< named by bodies
 };
 
-/// Returns which joints are neighbours in the body of a character, whatever its rig looks like. A
-/// body is near itself. Two bodies are near
+/// Returns which joints are neighbours in the body of a character, whatever its rig looks like. The
+/// triangles of a body are those whose main joint (see `Surface`) is a joint of the body. A body is
+/// near itself. Two bodies are near
 /// - if one is anywhere above the other in the hierarchy, and triangles of both share a corner, as
 ///   at an armpit: only in the zone of the joint, where the skin creases;
 /// - if one is the next above the other, without bodies that move no triangles, and no triangles of
@@ -49,9 +50,13 @@ struct NearJoints {
 /// - if triangles of both touch in `at_rest`, as in a ball joint, or at a foot that is no child of
 ///   its leg.
 ///
-/// The zone of a body is a ball around the border with the bodies above it. Its radius is 2.5 times
-/// the larger of the radius of the border and the thickness of the body. The zone contains the
-/// triangles of the body and of those that adjoin it above, if they have a corner in the ball.
+/// The zone of a body is a ball around its border: the corners that its triangles share with those
+/// of bodies above it. The centre of the ball is the centre of the border's bounding box. Its
+/// radius is 2.5 times the distance of the farthest corner of the border from the centre, or 2.5
+/// times the thickness of the body, if that is larger. The thickness is the root mean square
+/// distance of the corners of the body's triangles from the line through the centre and the mean of
+/// these corners. The zone contains the triangles of the body and of those that adjoin it above, if
+/// they have a corner in the ball.
 ///
 /// `bodies`: of the joints of the model. For characters of glTF files, see `asset::joint_bodies`.
 /// `positions`: [V] posed vertices in a pose in which each part of the body is in its place; any

@@ -63,8 +63,9 @@ struct SelfFilterOptions {
   std::span<const Contact> always = {};
 
   /// [J] A number for each joint. `joint_parents`, `joint_pairs` and `joint_pairs_in_zones` treat
-  /// joints with equal numbers as one joint. Use this for joints that no clip moves relative to
-  /// each other.
+  /// joints with equal numbers as one joint. The main joint of a triangle is still a single joint:
+  /// the weights of joints with equal numbers are not added. Use this for joints that no clip moves
+  /// relative to each other.
   std::span<const std::uint16_t> joint_bodies = {};
 
   /// [J] The parent of each joint, or `kNoJoint`. Leaves out pairs of triangles whose main joints

@@ -66,6 +66,33 @@ TEST_F(Limb, OfOneBodyIsNearItself) {
   EXPECT_TRUE(near.joint_pairs_in_zones.empty());
 }
 
+/// Joints 1 and 2 are one body, but their weights are not added.
+TEST(NearJoints, ATriangleBelongsToTheBodyOfItsMainJoint) {
+  Shape shape;
+  shape.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}};
+  shape.triangles = {{0, 1, 2}, {3, 4, 5}};
+  shape.influences_per_vertex = 3;
+  shape.joint_count = 3;
+  for (int i = 0; i < 6; ++i) {
+    shape.joints.insert(shape.joints.end(), {0, 1, 2});
+    if (i < 3) shape.weights.insert(shape.weights.end(), {0.4f, 0.3f, 0.3f});
+    if (i >= 3) shape.weights.insert(shape.weights.end(), {0, 1, 0});
+  }
+  const SkinnedModel model = *build_model(shape.view());
+  const NearJoints near = *near_joints(model, {{0, 1, 1}, {kNoJoint, 0, 0}}, {}, {});
+  EXPECT_EQ(near.joint_pairs, (std::vector<IndexPair>{{0, 0}, {1, 0}, {1, 1}}));
+
+  SelfFilterOptions options;
+  const Numbers bodies = {0, 1, 1};
+  const std::vector<IndexPair> pairs = {{0, 1}};
+  options.joint_bodies = bodies;
+  options.joint_pairs = pairs;
+  EXPECT_EQ(build_self_filter(model, options)->left_out_by(0, 1), LeftOutBy::joints);
+  const std::vector<IndexPair> others = {{1, 1}};
+  options.joint_pairs = others;
+  EXPECT_EQ(build_self_filter(model, options)->left_out_by(0, 1), LeftOutBy::none);
+}
+
 TEST_F(Limb, RefusesBodies) {
   refuse("the bodies are of 2 and 3 joints, but the model has 3 joints", {{0, 1}, chain_.above});
   refuse("the bodies are of 3 and 0 joints", {chain_.of_joints, {}});
