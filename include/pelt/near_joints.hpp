@@ -58,6 +58,11 @@ struct NearJoints {
 /// these corners. The zone contains the triangles of the body and of those that adjoin it above, if
 /// they have a corner in the ball.
 ///
+/// Limits, which only hostile models reach: corners that more than 64 bodies share at one position
+/// are ignored, and so are bodies more than 64 levels above. Once zones would test each triangle of
+/// the model 64 times on average, the remaining bodies have no zones; they are near everywhere to
+/// those that they share corners with.
+///
 /// `bodies`: of the joints of the model. For characters of glTF files, see `asset::joint_bodies`.
 /// `positions`: [V] posed vertices in a pose in which each part of the body is in its place; any
 ///   such pose gives nearly the same zones. Empty: the rest positions.
