@@ -23,7 +23,7 @@ class Types(Case):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
     def test_package_and_examples(self):
-        self.run_clean("mypy", "--strict", "--allow-untyped-calls", "--ignore-missing-imports", "pelt",
+        self.run_clean("mypy", "--config-file", SOURCE / "tests" / "python" / "mypy.ini", "pelt",
                        *sorted((PACKAGE / "examples").glob("*.py")))
 
     def test_stubs_match_the_extension(self):
