@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { kFaces, pelt, readSceneFile } from './support.mjs';
+import { contactsOf, kFaces, pelt, readSceneFile } from './support.mjs';
 
 const creature = pelt.generateCreature({ triangles: 4000, joints: 30 });
 const { restPositions, triangles } = creature;
@@ -140,9 +140,6 @@ test('what is posed by joints again is as before', () => {
   for (const made of [pose, face, scene]) made.delete();
 });
 
-/** [instance a, instance b, ...pair] of instances 0 and 1. */
-const rowsOf = (pairs) => [...pairs].reduce((rows, t, i) => (i % 2 ? [...rows, t] : [...rows, 0, 1, t]), []);
-
 test('crowds take vertices, also in steps', () => {
   const [from, to, other, end] = skinned;
   const moving = pelt.collideMoving({ from, to }, { from: other, to: end });
@@ -151,13 +148,13 @@ test('crowds take vertices, also in steps', () => {
     const set = (poses) => poses.forEach((pose, i) => crowd.setVertices(i, pose.posedVertices()));
     for (let i = 0; i < 2; ++i) crowd.add(character);
     set([from, other]);
-    assert.deepEqual([...crowd.collide().contacts], rowsOf(pelt.collide(from, other).pairs));
+    assert.deepEqual([...crowd.collide().contacts], contactsOf(pelt.collide(from, other).pairs));
     crowd.beginStep();
     set([to, end]);
     const found = crowd.collideMoving();
-    assert.deepEqual([...found.contacts], rowsOf(moving.pairs));
+    assert.deepEqual([...found.contacts], contactsOf(moving.pairs));
     assert.deepEqual(found.times, moving.times);
-    assert.deepEqual([...crowd.collide().contacts], rowsOf(pelt.collide(to, end).pairs));
+    assert.deepEqual([...crowd.collide().contacts], contactsOf(pelt.collide(to, end).pairs));
     crowd.delete();
   }
 });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { rock } from './gltf.mjs';
-import { bytesInUse, pelt } from './support.mjs';
+import { bytesInUse, contactsOf, pelt } from './support.mjs';
 
 const kCap = 0.03;
 const kCreature = { triangles: 4000, joints: 30 };
@@ -140,14 +140,11 @@ test('each pose has memory of its own, which is freed with it', () => {
   assert.equal(bytesInUse(), before);
 });
 
-/** [instance a, instance b, ...pair] of instances 0 and 1. */
-const rowsOf = (pairs) => [...pairs].reduce((rows, t, i) => (i % 2 ? [...rows, t] : [...rows, 0, 1, t]), []);
-
 /** The moving contacts of two instances that go from vertices to others. */
 function movingContacts(...[from, to, other, end]) {
   const { pairs, times, count } = pelt.collideMoving({ from, to }, { from: other, to: end });
   assert.ok(count > 500, `${count} contacts`);
-  return [rowsOf(pairs), times];
+  return [contactsOf(pairs), times];
 }
 
 test('crowds borrow offsets for as long as a step lasts', () => {
@@ -158,7 +155,7 @@ test('crowds borrow offsets for as long as a step lasts', () => {
     const poses = seeds.map((seed, end) => poseAt(end < 2 ? 0 : 1, seed));
     const { contacts, times: found } = crowd.collideMoving();
     assert.deepEqual([[...contacts], found], movingContacts(...poses));
-    assert.deepEqual([...crowd.collide().contacts], rowsOf(pelt.collide(poses[1], poses[3]).pairs));
+    assert.deepEqual([...crowd.collide().contacts], contactsOf(pelt.collide(poses[1], poses[3]).pairs));
     for (const pose of poses) pose.delete();
   };
   times.forEach((seconds) => crowd.setPalette(crowd.add(capped), capped.palette('walk', seconds)));

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { nativeTotals, pelt, posedByCommand, readSceneFile } from './support.mjs';
+import { contactsOf, nativeTotals, pelt, posedByCommand, readSceneFile } from './support.mjs';
 
 const kDual = { skinning: 'dual-quaternion' };
 const kScene = fileURLToPath(new URL('dual.json', import.meta.url));
@@ -117,9 +117,6 @@ test('dual quaternions of either sign pose as the matrices do', () => {
   assert.throws(() => duals.setDualQuaternions(floats), /\[5\]/);
 });
 
-/** Rows of instances 0 and 1 with these pairs. */
-const rowsOf = (pairs) => pairs.reduce((rows, t, i) => (i % 2 ? [...rows, t] : [...rows, 0, 1, t]), []);
-
 test('a crowd is posed by dual quaternions, also in steps', () => {
   const creature = pelt.generateCreature({ triangles: 2000, ...kDual });
   const palettes = [0.1, 0.5, 0.3].map((seconds) => creature.palette('walk', seconds));
@@ -133,18 +130,18 @@ test('a crowd is posed by dual quaternions, also in steps', () => {
   const crowd = pelt.makeCrowd();
   for (const instance of [0, 1]) crowd.setDualQuaternions(crowd.add(creature), duals[instance]);
   const { count, contacts } = crowd.collide();
-  assert.deepEqual([...contacts], rowsOf([...pelt.collide(a, b).pairs]));
+  assert.deepEqual([...contacts], contactsOf(pelt.collide(a, b).pairs));
   assert.ok(count > 500, `${count} contacts`);
   crowd.beginStep();
   crowd.setDualQuaternions(0, duals[2]);
   const still = creature.makePose();
   still.setDualQuaternions(duals[1]);
   const moving = pelt.collideMoving({ from: a, to: end }, { from: b, to: still });
-  assert.deepEqual([...crowd.collideMoving().contacts], rowsOf([...moving.pairs]));
+  assert.deepEqual([...crowd.collideMoving().contacts], contactsOf(moving.pairs));
   assert.ok(moving.count > count);
   crowd.setMotionDualQuaternions(0, duals[2], duals[0]);
   const back = pelt.collideMoving({ from: end, to: a }, { from: b, to: still });
-  assert.deepEqual([...crowd.collideMoving().contacts], rowsOf([...back.pairs]));
+  assert.deepEqual([...crowd.collideMoving().contacts], contactsOf(back.pairs));
 
   const refused = (use, message) => assert.throws(use, { code: 'invalid_argument', message });
   refused(() => crowd.setDualQuaternions(0, palettes[0]), /^dualQuaternions: expected \d+ numbers/);

@@ -75,6 +75,9 @@ function filesOfScene(scene, root) {
   return files;
 }
 
+/** [instance a, instance b, ...pair] of instances 0 and 1, one after the other, as crowds list them. */
+export const contactsOf = (pairs) => [...pairs].flatMap((t, i) => (i % 2 ? [t] : [0, 1, t]));
+
 /** The frames of "A:B" or "A:B:S". */
 export function framesOf(range) {
   const [begin, end, stride = 1] = range.split(':').map(Number);
