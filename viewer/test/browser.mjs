@@ -39,6 +39,7 @@ export async function openPage(browser, url, options = {}, prepare = [], expecte
   });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
+  await page.addInitScript(blurCoarsely);
   if (prepare.length > 0) await page.addInitScript(...prepare);
   page.complaints = [];
   page.fetched = [];
@@ -50,6 +51,16 @@ export async function openPage(browser, url, options = {}, prepare = [], expecte
   await page.goto(url);
   await counted(page);
   return page;
+}
+
+/** Runs in the page: three.js blurs the surroundings that surfaces reflect with 4 samples for each
+ * pixel instead of up to 256, because the processor draws. No test looks at reflections. */
+export function blurCoarsely() {
+  const { shaderSource } = WebGL2RenderingContext.prototype;
+  WebGL2RenderingContext.prototype.shaderSource = function (shader, source) {
+    const coarse = source.replace(/#define (GGX_)?SAMPLES \d+/, '#define $1SAMPLES 4');
+    return shaderSource.call(this, shader, coarse);
+  };
 }
 
 /** Runs in the page: makes it one without a picture. */

@@ -39,6 +39,7 @@ test('the verdict of a report, in the theme of the system, comes before WebGL', 
     const context = await browser.newContext({ colorScheme, reducedMotion: 'reduce' });
     t.after(() => context.close());
     const page = await context.newPage();
+    await page.addInitScript(browsing.blurCoarsely);
     await page.addInitScript(watchContext);
     await page.goto(browsing.urlOf(shop.at('report.html')));
     const seen = await (await page.waitForFunction(() => window.paintedFirst)).jsonValue();
