@@ -237,10 +237,7 @@ Shape square(int cells, bool upright) {
     shape.triangles.push_back({i, i + side, i + 1});
     shape.triangles.push_back({i + 1, i + side, i + side + 1});
   }
-  shape.influences_per_vertex = 1;
-  shape.joints.assign(shape.rest_positions.size(), 0);
-  shape.weights.assign(shape.rest_positions.size(), 1);
-  return shape;
+  return make_rigid(shape.rest_positions, shape.triangles);
 }
 
 TEST(Contact, LengthOfAPatchDoesNotDependOnTheSizeOfTriangles) {
@@ -257,12 +254,8 @@ TEST(Contact, LengthOfAPatchDoesNotDependOnTheSizeOfTriangles) {
 }
 
 TEST(Contact, DescribesCoplanarAndCollapsedTriangles) {
-  Shape flat;
-  flat.rest_positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}};
-  flat.triangles = {{0, 1, 2}, {3, 4, 5}};
-  flat.influences_per_vertex = 1;
-  flat.joints.assign(6, 0);
-  flat.weights.assign(6, 1);
+  const Shape flat = make_rigid({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {1, 1, 2}},
+                                {{0, 1, 2}, {3, 4, 5}});
   Shape one = flat;
   one.triangles = {{0, 2, 1}};
   Body a(flat), b(one);
@@ -274,17 +267,6 @@ TEST(Contact, DescribesCoplanarAndCollapsedTriangles) {
   EXPECT_EQ(geometry.traces[1].kind, ContactKind::collapsed);
   EXPECT_TRUE(geometry.curves.empty());
   check_patches(geometry);
-}
-
-/// A shape that follows one joint.
-Shape still(std::vector<Vec3> positions, std::vector<Triangle> triangles) {
-  Shape shape;
-  shape.influences_per_vertex = 1;
-  shape.joints.assign(positions.size(), 0);
-  shape.weights.assign(positions.size(), 1);
-  shape.rest_positions = std::move(positions);
-  shape.triangles = std::move(triangles);
-  return shape;
 }
 
 /// Returns the corners of `count` triangles that have not collapsed, in the plane of u and v.
@@ -318,7 +300,7 @@ TEST(Contact, InOnePlaneTheNormalIsThatOfB) {
   for (std::size_t round = 0; round < 3; ++round) {
     std::array<Shape, 2> shapes;
     for (Shape& shape : shapes) {
-      shape = still(corners_in_plane(random, 30, edges[round], edges[(round + 1) % 3]), {});
+      shape = make_rigid(corners_in_plane(random, 30, edges[round], edges[(round + 1) % 3]), {});
       for (std::uint32_t i = 0; i < 90; i += 3) shape.triangles.push_back({i, i + 1, i + 2});
     }
     Body a(shapes[0]), b(shapes[1]);

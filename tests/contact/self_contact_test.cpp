@@ -5,6 +5,7 @@
 
 #include "geometry/triangle_crossing.hpp"
 #include "support/allocation_count.hpp"
+#include "support/closed_shapes.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 
@@ -298,20 +299,9 @@ TEST(SelfContact, DoesNotDependOnTheNumbersOfTriangles) {
   EXPECT_GT(patches, 20u);
 }
 
-/// Triangles in the plane z = 0 and others, with one joint.
-Shape shape_of(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
-  Shape shape;
-  shape.rest_positions = positions;
-  shape.triangles = triangles;
-  shape.influences_per_vertex = 1;
-  shape.joints.assign(positions.size(), 0);
-  shape.weights.assign(positions.size(), 1);
-  return shape;
-}
-
 TEST(SelfContact, OfTrianglesThatShareACornerStartsThere) {
   Body body(
-      shape_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 1, -1}, {2, 1, 1}}, {{0, 1, 2}, {3, 4, 0}}));
+      make_rigid({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 1, -1}, {2, 1, 1}}, {{0, 1, 2}, {3, 4, 0}}));
   const ContactGeometry geometry = geometry_of(body);
   ASSERT_EQ(geometry.traces.size(), 1u);
   EXPECT_EQ(geometry.traces[0].kind, ContactKind::segment);
@@ -324,16 +314,16 @@ TEST(SelfContact, OfTrianglesThatShareACornerStartsThere) {
 
 TEST(SelfContact, CurvesDoNotContinueThroughSharedCorners) {
   // Two triangles stand on either side of two others, and all share corner 0.
-  Body body(shape_of({{0, 0, 0},
-                      {4, 1, 0},
-                      {4, -1, 0},
-                      {-4, 1, 0},
-                      {-4, -1, 0},
-                      {2, 0, -1},
-                      {2, 0, 1},
-                      {-2, 0, -1},
-                      {-2, 0, 1}},
-                     {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}, {0, 7, 8}}));
+  Body body(make_rigid({{0, 0, 0},
+                        {4, 1, 0},
+                        {4, -1, 0},
+                        {-4, 1, 0},
+                        {-4, -1, 0},
+                        {2, 0, -1},
+                        {2, 0, 1},
+                        {-2, 0, -1},
+                        {-2, 0, 1}},
+                       {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}, {0, 7, 8}}));
   const ContactGeometry geometry = geometry_of(body);
   ASSERT_EQ(geometry.traces.size(), 2u);
   EXPECT_EQ(geometry.curves.size(), 2u);
@@ -351,7 +341,7 @@ TEST(SelfContact, DescribesFoldedDuplicateAndCollapsedTriangles) {
       {{0, 1, 4}, {0, 1, 4}, ContactKind::collapsed},
   };
   for (const auto& [s, t, kind] : cases) {
-    Body body(shape_of(positions, {s, t}));
+    Body body(make_rigid(positions, {s, t}));
     const ContactGeometry geometry = geometry_of(body);
     ASSERT_EQ(geometry.traces.size(), 1u);
     EXPECT_EQ(geometry.traces[0].kind, kind);

@@ -2,17 +2,14 @@
 
 #include "meshes.hpp"
 #include "model/tree_build.hpp"
+#include "support/closed_shapes.hpp"
 
 namespace pelt::detail {
 namespace {
 
 TEST(Unpack, TrianglesNameTheLowestOfBitIdenticalVertices) {
-  test::Shape shape;
-  shape.rest_positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
-  shape.triangles = {{3, 4, 5}, {1, 2, 3}};
-  shape.influences_per_vertex = 1;
-  shape.joints.assign(6, 0);
-  shape.weights.assign(6, 1);
+  const test::Shape shape = test::make_rigid(
+      {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {{3, 4, 5}, {1, 2, 3}});
   const SkinnedMesh mesh = test::mesh_of(shape);
   const SkinnedMesh unpacked = unpack_mesh(build_tree(mesh, test::rest_only(mesh)));
   EXPECT_EQ(unpacked.triangles, (std::vector<Triangle>{{3, 2, 5}, {1, 2, 3}}));

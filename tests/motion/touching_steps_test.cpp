@@ -3,6 +3,7 @@
 #include <pelt/motion.hpp>
 
 #include "bodies.hpp"
+#include "support/closed_shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +13,6 @@
 
 namespace pelt::test {
 namespace {
-
-Shape one_joint(std::vector<Vec3> positions, std::vector<Triangle> triangles) {
-  Shape shape;
-  shape.influences_per_vertex = 1;
-  shape.joints.assign(positions.size(), 0);
-  shape.weights.assign(positions.size(), 1);
-  shape.rest_positions = std::move(positions);
-  shape.triangles = std::move(triangles);
-  return shape;
-}
 
 std::vector<Matrix4> moved_by(const Vec3& shift) {
   return {rotation_about({0, 0, 1}, 0, {}, shift)};
@@ -33,8 +24,8 @@ std::vector<Matrix4> moved_by(const Vec3& shift) {
 /// axes.
 TEST(TouchingSteps, FindCornersThatPassAtOneInstant) {
   Random random(1861);
-  Body a(one_joint({{0, 0, 0}, {-0x1p26f, -0x1p25f, 1}, {-0x1p25f, -0x1p26f, -1}}, {{0, 1, 2}}));
-  Body b(one_joint({{0, 0, 0}, {0x1p26f, 0x1p25f, 1}, {0x1p25f, 0x1p26f, -1}}, {{0, 1, 2}}));
+  Body a(make_rigid({{0, 0, 0}, {-0x1p26f, -0x1p25f, 1}, {-0x1p25f, -0x1p26f, -1}}, {{0, 1, 2}}));
+  Body b(make_rigid({{0, 0, 0}, {0x1p26f, 0x1p25f, 1}, {0x1p25f, 0x1p26f, -1}}, {{0, 1, 2}}));
   a.move(moved_by({}), moved_by({}));
   Scratch scratch;
   for (int round = 0; round < 300; ++round) {
@@ -71,7 +62,7 @@ Shape make_sheet() {
       triangles.push_back({i, i + 1, i + kRow + 1});
       triangles.push_back({i, i + kRow + 1, i + kRow});
     }
-  return one_joint(std::move(positions), std::move(triangles));
+  return make_rigid(std::move(positions), std::move(triangles));
 }
 
 /// Their borders or corners touch at all times, or they touch at one end of the step.
