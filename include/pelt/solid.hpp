@@ -168,8 +168,9 @@ PELT_API QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch,
 struct SolidHit {
   float t = std::numeric_limits<float>::infinity();
 
-  /// Unit normal out of the solid; zero if and only if the ray is already inside at t_min. Where a
-  /// sphere or capsule with radius 0 has many normals, one of them that points against the ray.
+  /// Unit normal out of the solid where the ray enters. Zero if the ray misses, or is already
+  /// inside at t_min. Spheres and capsules with radius 0 have no unique normal: the result points
+  /// against the ray.
   Vec3 normal;
 
   /// Whether anything was hit.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 namespace pelt {
 namespace {
@@ -47,15 +48,15 @@ Stay stay_near(const Vec3d& way, const Vec3d& direction, double radius) {
   const Vec3d passing = way + closest * direction;
   const double room = radius * radius - squared_length(passing);
   if (room < 0) return {HUGE_VAL, -HUGE_VAL, {}};
-  if (speed == 0) return {};
+  if (speed == 0) return {-HUGE_VAL, HUGE_VAL, passing};
   const double half = std::sqrt(room / speed);
   const Vec3d out = radius > 0 ? passing - half * direction : -1.0 * direction;
   return {closest - half, closest + half, out};
 }
 
 /// Returns the interval within the cylinder between the ends of a capsule. Its flat ends are in the
-/// balls, so they are no part of the surface. Only a ray along a capsule without a radius enters
-/// there.
+/// balls, so a ray enters there only by rounding, at the rim, where the normal is that of the side;
+/// or along a capsule without a radius.
 Stay stay_beside(const Line& line, const Capsule& capsule) {
   const Vec3d edge = Vec3d(capsule.b) - Vec3d(capsule.a), way = line.origin - Vec3d(capsule.a);
   const double length = squared_length(edge);
@@ -76,11 +77,12 @@ Vec3 unit(const Vec3d& v) {
 /// Returns the first of the entries into the pieces of a solid. If the ray begins in any piece, the
 /// normal is zero.
 SolidHit first_entry(std::initializer_list<Stay> pieces, const Ray& ray) {
+  constexpr double kLongest = std::numeric_limits<float>::max();
   SolidHit hit;
   double first = HUGE_VAL;
   for (const Stay& stay : pieces) {
     const double t = std::max(stay.from, double{ray.t_min});
-    if (!(t <= std::min(stay.to, double{ray.t_max})) || !(t < first)) continue;
+    if (!(t <= std::min({stay.to, double{ray.t_max}, kLongest})) || !(t < first)) continue;
     first = t;
     hit.t = static_cast<float>(t);
     hit.normal = stay.from > double{ray.t_min} ? unit(stay.out) : Vec3();

@@ -90,6 +90,28 @@ TEST(SolidCast, GivesNormalsFarAway) {
   EXPECT_EQ(test::first_hit(pin, ray).normal, (Vec3{1, 0, 0}));
 }
 
+/// By rounding, some rays along the side enter through the flat end of its cylinder.
+TEST(SolidCast, GivesTheNormalOfTheSideAtTheRimOfACapsule) {
+  int hits = 0;
+  for (int length = 1; length <= 10; ++length)
+    for (int start = 1; start <= 10; ++start) {
+      const Capsule pin{{0, 0, 0}, {0, 0, 0.7f * static_cast<float>(length)}, 1};
+      const SolidHit hit =
+          test::first_hit(pin, {{1, 0, -0.9f * static_cast<float>(start)}, {0, 0, 1}});
+      ASSERT_TRUE(hit) << length << ", " << start;
+      EXPECT_EQ(hit.normal.x, 1) << length << ", " << start;
+      EXPECT_NEAR(hit.normal.z, 0, 1e-15) << length << ", " << start;
+      ++hits;
+    }
+  EXPECT_EQ(hits, 100);
+}
+
+TEST(SolidCast, MissesBeyondTheLongestFloat) {
+  const SolidHit hit = test::first_hit(Sphere{{0, 0, 0}, 1}, {{1e30f, 0, 0}, {-1e-10f, 0, 0}});
+  EXPECT_FALSE(hit);
+  EXPECT_EQ(hit.normal, Vec3());
+}
+
 /// From a million units away, a ball of one unit is still hit at the right position.
 TEST(SolidCast, IsRightFromFarAway) {
   const SolidHit hit = test::first_hit(Sphere{{0, 0, 0}, 1}, {{1 << 20, 0, 0}, {-1, 0, 0}});
