@@ -93,7 +93,7 @@ class OrderedWork {
   }
 
   /// Stores a computed item. Then uses all items whose turn it is, unless another thread does so.
-  /// Threads that wait are woken for several items, because waking takes long.
+  /// Wakes waiting threads once per half of the slots, and at the end, because waking takes long.
   void use_ready(Slot& slot, const Result<void>& computed) {
     std::unique_lock lock(mutex_);
     slot.computed = computed;
@@ -111,6 +111,7 @@ class OrderedWork {
       if (is_ended_ || used_ % (slots_.size() / 2) == 0) has_space_.notify_all();
     }
     is_using_ = false;
+    has_space_.notify_all();
   }
 
   std::size_t count_;
