@@ -15,7 +15,7 @@ struct TouchCounts {
   std::uint64_t contacts = 0;
   std::uint32_t frames = 0;       ///< with contacts
   std::uint64_t worst = 0;        ///< the most contacts of one frame
-  std::uint32_t worst_frame = 0;  ///< the first frame with as many
+  std::uint32_t worst_frame = 0;  ///< the first frame with `worst` contacts
 
   /// Adds the contacts of a frame, at least one. Frames ascend.
   void add(std::uint32_t frame, std::uint64_t found);
@@ -46,7 +46,7 @@ class FrameTouches {
   /// Adds the contacts of the current frame to the sums, and starts the next frame.
   void end_frame(std::uint32_t frame);
 
-  /// Those with the most contacts first, then in the order of takes and places.
+  /// Returns the touches by contacts, descending, then by take and places.
   std::vector<Touch> sorted() const;
 
  private:

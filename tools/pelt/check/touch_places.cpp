@@ -55,17 +55,17 @@ Result<TouchPlaces> TouchPlaces::make(const scene::StagedScene& staged) {
   return made;
 }
 
-TouchPlaces::OfCharacter TouchPlaces::number_places(std::span<const std::uint32_t> parts,
-                                                    std::span<const std::uint16_t> joints) {
+TouchPlaces::CharacterPlaces TouchPlaces::number_places(std::span<const std::uint32_t> parts,
+                                                        std::span<const std::uint16_t> joints) {
   std::vector<std::uint64_t> keys;
   for (std::size_t t = 0; t < parts.size(); ++t) keys.push_back(key_of(parts[t], joints[t]));
   std::vector<std::uint64_t> places = keys;
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
-  OfCharacter numbered;
+  CharacterPlaces numbered;
   for (const std::uint64_t key : keys) {
     const auto place = std::lower_bound(places.begin(), places.end(), key);
-    numbered.triangle.push_back(static_cast<std::uint32_t>(place - places.begin()));
+    numbered.place_of.push_back(static_cast<std::uint32_t>(place - places.begin()));
   }
   for (const std::uint64_t key : places) numbered.places.push_back(place_of(key));
   return numbered;

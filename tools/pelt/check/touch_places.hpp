@@ -26,30 +26,30 @@ class TouchPlaces {
   static Result<TouchPlaces> make(const scene::StagedScene& staged);
 
   /// The places of an instance's triangles, numbered as in its asset.
-  struct OfInstance {
+  struct InstancePlaces {
     std::uint32_t first = 0;                  ///< number of the instance's first place
-    std::span<const std::uint32_t> triangle;  ///< [T] place of the triangle, less `first`
+    std::span<const std::uint32_t> place_of;  ///< [T] number of a triangle's place, less `first`
 
-    std::uint32_t number_at(std::uint32_t t) const { return first + triangle[t]; }
+    std::uint32_t number_at(std::uint32_t triangle) const { return first + place_of[triangle]; }
   };
 
-  OfInstance of_instance(std::uint32_t instance) const {
-    const OfCharacter& character = characters_[character_of_[instance]];
-    return {first_of_[instance], character.triangle};
+  InstancePlaces of_instance(std::uint32_t instance) const {
+    const CharacterPlaces& character = characters_[character_of_[instance]];
+    return {first_of_[instance], character.place_of};
   }
 
   const TouchPlace& operator[](std::uint32_t number) const { return places_[number]; }
 
  private:
-  struct OfCharacter {
-    std::vector<std::uint32_t> triangle;  ///< [T] index into `places`
+  struct CharacterPlaces {
+    std::vector<std::uint32_t> place_of;  ///< [T] index into `places`
     std::vector<TouchPlace> places;       ///< ascending, of instance 0
   };
 
-  static OfCharacter number_places(std::span<const std::uint32_t> parts,
-                                   std::span<const std::uint16_t> joints);
+  static CharacterPlaces number_places(std::span<const std::uint32_t> parts,
+                                       std::span<const std::uint16_t> joints);
 
-  std::vector<OfCharacter> characters_;
+  std::vector<CharacterPlaces> characters_;
   std::vector<std::uint32_t> character_of_, first_of_;  // by instance
   std::vector<TouchPlace> places_;
 };

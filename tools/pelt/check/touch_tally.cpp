@@ -20,8 +20,8 @@ void TouchTally::add(std::uint32_t frame, const scene::FrameContacts& found) {
   start_take(scenes::take_index(staged_.scene, frame));
   for (const scene::FrameContacts::Pair& pair : found.pairs) count_pair(found, pair);
   for (const std::uint32_t touch : touches_.counted()) {
-    joints_.touches.count(groups_[touch].joints, touches_.in_frame(touch));
-    parts_.touches.count(groups_[touch].parts, touches_.in_frame(touch));
+    joints_.touches.count(coarse_[touch].joints, touches_.in_frame(touch));
+    parts_.touches.count(coarse_[touch].parts, touches_.in_frame(touch));
   }
   for (FrameTouches* const touches : {&touches_, &joints_.touches, &parts_.touches})
     touches->end_frame(frame);
@@ -62,13 +62,13 @@ void TouchTally::count(std::uint32_t place, std::uint32_t other, std::uint64_t c
 }
 
 std::uint32_t TouchTally::add_touch(const TouchPlace& a, const TouchPlace& b) {
-  groups_.push_back({joints_.find(take_, {a.instance, 0, a.joint}, {b.instance, 0, b.joint}),
-                     parts_.find(take_, {a.instance, a.part, 0}, {b.instance, b.part, 0})});
+  coarse_.push_back({joints_.find_or_add(take_, {a.instance, 0, a.joint}, {b.instance, 0, b.joint}),
+                     parts_.find_or_add(take_, {a.instance, a.part, 0}, {b.instance, b.part, 0})});
   return touches_.add(take_, a, b);
 }
 
-std::uint32_t TouchTally::Grouped::find(std::uint32_t take, const TouchPlace& a,
-                                        const TouchPlace& b) {
+std::uint32_t TouchTally::CoarseTouches::find_or_add(std::uint32_t take, const TouchPlace& a,
+                                                     const TouchPlace& b) {
   const auto places = std::minmax(a, b);
   const auto [known, is_new] = in_take.try_emplace(std::pair<TouchPlace, TouchPlace>(places));
   if (is_new) known->second = touches.add(take, places.first, places.second);

@@ -11,10 +11,12 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace pelt::tools::check {
 
+/// Counts contacts by pairs of places, of joints and of parts.
 class TouchTally {
  public:
   /// `staged` must outlive the tally. Returns an error if no model can be built from the assets.
@@ -38,16 +40,16 @@ class TouchTally {
  private:
   using NameOf = std::function<std::string(std::uint32_t character, std::uint32_t index)>;
 
-  /// Touches that count a place only by its part, or only by its joint: the other index is 0.
-  struct Grouped {
+  /// Touches of joints or of parts: the other index of their places is 0.
+  struct CoarseTouches {
     FrameTouches touches;
     std::map<std::pair<TouchPlace, TouchPlace>, std::uint32_t> in_take;  // those of this take
 
-    std::uint32_t find(std::uint32_t take, const TouchPlace& a, const TouchPlace& b);
+    std::uint32_t find_or_add(std::uint32_t take, const TouchPlace& a, const TouchPlace& b);
   };
 
-  /// The joints and the parts of a touch, as indices of their own touches.
-  struct Groups {
+  /// The touches of joints and of parts that a touch belongs to.
+  struct CoarseIndices {
     std::uint32_t joints = 0, parts = 0;
   };
 
@@ -66,8 +68,8 @@ class TouchTally {
   std::uint32_t take_ = 0;
   std::unordered_map<std::uint64_t, std::uint32_t> in_take_;  // by the numbers of two places
   FrameTouches touches_;
-  std::vector<Groups> groups_;  // by touch
-  Grouped joints_, parts_;
+  std::vector<CoarseIndices> coarse_;  // by touch
+  CoarseTouches joints_, parts_;
 };
 
 }  // namespace pelt::tools::check
