@@ -163,7 +163,7 @@ class ListTests(unittest.TestCase):
             for code, _, error in (self.check(*options)[0], shards):
                 self.assertEqual(code, 0)
                 self.assertEqual(error, words and f"pelt: warning: --baseline: known.jsonl: has {words}: "
-                                                  "add them to the list to compare them\n" or "")
+                                                  "add scenes that were lost or renamed, or write a new baseline\n" or "")
 
     def test_bad_baselines_are_named(self):
         self.write_list(["pair.json"])

@@ -105,7 +105,8 @@ void warn_of_missing_scenes(const ListPlan& plan) {
   std::cerr << "pelt: warning: --baseline: " << asset::printable(plan.arguments.baseline)
             << ": has " << output::counted(missing.size(), "scene") << " that "
             << asset::printable(plan.arguments.scenes) << " lacks, first "
-            << asset::quoted(missing[0]) << ": add them to the list to compare them\n";
+            << asset::quoted(missing[0])
+            << ": add scenes that were lost or renamed, or write a new baseline\n";
 }
 
 Result<void> ask_scenes(const ListPlan& plan, const SceneIndices& indices, const UseScene& use) {

@@ -33,8 +33,8 @@ struct SceneIndices {
   std::size_t count() const { return end - begin; }
 };
 
-/// Names on standard error the first scene of the baseline that the list lacks, if any: that a
-/// scene was lost or renamed must not look like success.
+/// Warns on standard error if the baseline has scenes that the list lacks, so that lost or renamed
+/// scenes are noticed.
 void warn_of_missing_scenes(const ListPlan& plan);
 
 /// Uses the answer of a scene.

@@ -127,7 +127,7 @@ Result<arguments::ExitCode> run_list_shard(const check::CheckArguments& argument
                                            const Shard& shard) {
   const Result<list::ListPlan> plan = list::ListPlan::make(arguments);
   if (!plan) return plan.error();
-  list::warn_of_missing_scenes(*plan);
+  if (shard.index == 1) list::warn_of_missing_scenes(*plan);  // once for all shards
   const auto inputs = inputs_of(*plan);
   if (!inputs) return inputs.error();
   output::OutputFile file;
