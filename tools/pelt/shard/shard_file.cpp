@@ -2,6 +2,7 @@
 
 #include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
+#include "base/workers.hpp"
 #include "scenes/takes.hpp"
 #include "tools/pelt/check/ordered_work.hpp"
 #include "tools/pelt/list/scene_entry.hpp"
@@ -65,16 +66,20 @@ Result<Opened> open_shard(const std::string& path) {
   return Opened{path, std::move(*header)};
 }
 
-/// Opens files on several threads.
+/// Opens files on several threads, in order up to the first that cannot be opened.
 std::vector<std::optional<Result<Opened>>> open_shards(std::span<const std::string> paths,
                                                        std::uint32_t threads) {
   std::vector<std::optional<Result<Opened>>> opened(paths.size());
   const auto count = static_cast<std::uint32_t>(
       std::clamp<std::size_t>(paths.size(), 1, detail::Workers::choose(threads)));
   std::atomic<std::size_t> next = 0;
+  std::atomic<bool> has_failed = false;
   detail::Workers workers;
   workers.run(count, [&](std::uint32_t) {
-    for (std::size_t i = next++; i < paths.size(); i = next++) opened[i] = open_shard(paths[i]);
+    for (std::size_t i = next++; i < paths.size() && !has_failed; i = next++) {
+      opened[i] = open_shard(paths[i]);
+      if (!*opened[i]) has_failed = true;
+    }
   });
   return opened;
 }
