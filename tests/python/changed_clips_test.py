@@ -90,6 +90,13 @@ class Changed(TableOfClips):
             generated_body.save_motion(self.data / "a/run.npz", generated_body.motion_keys(seed=number + 50))
             self.assertIn(f"table.csv.old-{number} has", self.measured().stderr)
 
+    def test_changes_are_named_even_if_the_run_fails(self):
+        self.measured()
+        self.change("a/run.npz")
+        result = self.measured("--failed", str(self.root / "nowhere/failed.csv"))
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, "warning: a/run.npz: changed[^$]*failed.csv: No such file")
+
     def test_files_that_only_look_new(self):
         self.measured()
         text = self.table.read_bytes()
@@ -179,15 +186,18 @@ class Replaced(TableOfClips):
         self.assertEqual(stat.S_IMODE(real.stat().st_mode), 0o640)
         self.assertEqual(len(read_rows(real)), 4)
 
-    def test_failure_keeps_the_table(self):
+    def test_full_disk_changes_nothing(self):
         self.measured()
-        text = self.table.read_bytes()
+        before = {path.name: path.read_bytes() for path in self.root.glob("table*")}
         self.change("a/run.npz")
-        with unittest.mock.patch("os.replace", side_effect=OSError(28, "No space left on device")):
-            result = self.measured()
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("table.csv: cannot be replaced: No space left", result.stderr)
-        self.assertEqual(self.table.read_bytes(), text)
+        for function in ("fsync", "replace"):
+            with self.subTest(function=function):
+                with unittest.mock.patch(f"os.{function}", side_effect=OSError(28, "No space left on device")):
+                    result = self.measured()
+                self.assertEqual(result.returncode, 2)
+                self.assertRegex(result.stderr, "table.csv: the rows .*: No space left on device: make room")
+                after = {path.name: path.read_bytes() for path in self.root.glob("table*")}
+                self.assertEqual(after, before)
         self.assertIn("1 clips measured, 3 were there before", self.measured().stdout)
 
     def test_process_that_has_opened_the_earlier_file(self):

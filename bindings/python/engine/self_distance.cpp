@@ -103,8 +103,7 @@ class Grid {
   std::vector<Entry> cells_;
 };
 
-/// Returns the square of a distance, rounded up so far that the rounded sum of squares of a
-/// distance that is not longer never exceeds it.
+/// Returns an upper bound of the computed x*x + y*y + z*z of all vectors no longer than `distance`.
 double rounded_up_square(double distance) { return distance * distance * (1 + 1e-12); }
 
 /// Returns the closest vertex that is not near along the edges, up to a distance. Of equally

@@ -19,6 +19,8 @@ def main(folder: str, body_model: str, path: str, *scheduler: str) -> int:
     failed = 0
     local = {} if scheduler else {"n_workers": os.cpu_count(), "threads_per_worker": 1}
     with datasets.Table(path, measure) as table, Client(*scheduler, **local) as client:
+        if table.changed:
+            print(f"{len(table.changed)} clips have changed; {table.copy} has their rows", file=sys.stderr)
         clips = [clip for clip in datasets.find_clips(folder) if clip not in table.done]
         # Programs that share a scheduler share the results of equal keys.
         keys = [f"{os.path.abspath(path)}: {clip}" for clip in clips]

@@ -107,7 +107,7 @@ def _add_metrics(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         help="close the holes of open bodies such as SMPL-X by fans; without, metrics that need an inside "
              "are empty for them")
     add("--fps", metavar="N", type=float, default=None,
-        help="frames per second of motions whose files do not state it, or state two rates")
+        help="frames per second of motions whose files state none; one of the two if a file states two")
     add("--shard", metavar="I/N", type=_shard, default=(1, 1),
         help="measure only the I-th of N parts of the clips, for N processes or machines, each with "
              "its own table")
@@ -178,22 +178,28 @@ def _measure_folder(options: argparse.Namespace) -> int:
     if undefined:
         print(f"a body model has holes, so its columns of {', '.join(undefined)} stay empty: close them "
               "with `--close-holes`", file=sys.stderr, flush=True)
-    with Table(options.out, measure) as table, _Failures(options.failed, noun) as failed:
-        before = len(table.done)
-        _warn_of_changes(table)
-        progress = _Progress(len(items), noun)
-        for number, item in enumerate(items):
-            progress.show(number, len(failed), _name_of(item))
-            if item in table.done:
-                continue
-            try:
-                table.append(measure(item))  # type: ignore[arg-type]
-            except (Error, OSError, MemoryError) as error:
-                failed.append(item, f"{error}" if isinstance(error, Error)
-                              else f"{_name_of(item)}: {error!r}")
-        progress.show(len(items), len(failed), "")
-        _print_summary(options.out, noun, len(table.done) - before, before, failed.reasons)
+    with Table(options.out, measure) as table:
+        _warn_of_changes(table)  # before anything can fail: the next run finds no changed rows
+        with _Failures(options.failed, noun) as failed:
+            _measure_items(items, measure, table, failed)
     return 1 if failed.reasons else 0
+
+
+def _measure_items(items: Sequence[Item], measure: Union[Measurement, PairMeasurement], table: Table,
+                   failed: "_Failures") -> None:
+    before = len(table.done)
+    progress = _Progress(len(items), failed.noun)
+    for number, item in enumerate(items):
+        progress.show(number, len(failed), _name_of(item))
+        if item in table.done:
+            continue
+        try:
+            table.append(measure(item))  # type: ignore[arg-type]
+        except (Error, OSError, MemoryError) as error:
+            failed.append(item, f"{error}" if isinstance(error, Error)
+                          else f"{_name_of(item)}: {error!r}")
+    progress.show(len(items), len(failed), "")
+    _print_summary(table.path, failed.noun, len(table.done) - before, before, failed.reasons)
 
 
 def _warn_of_changes(table: Table) -> None:
@@ -217,6 +223,7 @@ class _Failures:
     """Clips or pairs that could not be measured. Each row of the file is written at once."""
 
     def __init__(self, path: Optional[str], noun: str) -> None:
+        self.noun = noun
         self.reasons: List[str] = []
         self._file: Optional[TextIO] = None
         if path is None:

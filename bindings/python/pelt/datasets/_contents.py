@@ -10,8 +10,8 @@ from pelt._npz import Path
 
 
 def contents_hash(path: Path) -> Optional[str]:
-    """Returns a hash of the arrays of an `.npz` file: 16 digits, or none if it is not a complete file.
-    None if it cannot be opened.
+    """Returns a hash of the arrays of an `.npz` file, 16 hexadecimal digits; "" if it is not a complete
+    file, or None if it cannot be opened.
 
     The hash is of the name, the size and the CRC-32 of each array. The directory at the end of the file
     has these, so the cost does not grow with the arrays. Copies have the same hash, whatever their times.

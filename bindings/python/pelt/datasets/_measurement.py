@@ -23,7 +23,6 @@ METRICS: Mapping[str, str] = {
 """Names of metrics, with what they are."""
 
 _CLIP_COLUMNS = ("clip", "body_model", "options", "every", "frames", "seconds", "fps", "gender")
-_HASHES = ("clip_hash", "body_model_hash")
 
 
 class Measurement(Folder):
@@ -38,8 +37,8 @@ class Measurement(Folder):
     betas:         use only the first n shape parameters of each clip; 0 is the mean shape. Default: all.
     close_holes:   close the holes of open bodies, such as the mouth of SMPL-X, by fans, see
                    `metrics.BodyParts`. Only volumes use them.
-    fps:           frames per second of clips whose files do not state it, or state it among two rates.
-                   Other clips keep their own.
+    fps:           frames per second of clips whose files state none. If a file states two rates, `fps`
+                   must be one of them. Other clips keep their own.
     threads:       of each clip; default: all processors. The row is the same for any number.
     """
 
@@ -50,12 +49,14 @@ class Measurement(Folder):
         super().__init__(folder, body_models, metrics, METRICS, every, body_only, betas, close_holes,
                          fps, threads)
 
+    hash_columns = ("clip_hash", "body_model_hash")
+
     @property
     def columns(self) -> Tuple[str, ...]:
         """Names of the columns of a row."""
         measured = tuple(f"{name}_{kind}" for name in self.metrics for kind in ("mean", "max", "frame"))
         return (_CLIP_COLUMNS + measured + (("volume_error",) if "volume" in self.metrics else ())
-                + _HASHES)
+                + self.hash_columns)
 
     def item_of(self, row: Mapping[str, object]) -> str:
         """Returns the clip of a row."""

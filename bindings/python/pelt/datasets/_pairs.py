@@ -26,7 +26,6 @@ PAIR_METRICS: Mapping[str, str] = {
 
 _PAIR_COLUMNS = ("clip_a", "clip_b", "body_model_a", "body_model_b", "options", "every", "frames",
                  "seconds", "fps", "gender_a", "gender_b")
-_HASHES = ("clip_hash_a", "clip_hash_b", "body_model_hash_a", "body_model_hash_b")
 _KINDS = ("mean", "max", "frame", "percent")
 
 
@@ -49,12 +48,14 @@ class PairMeasurement(Folder):
         super().__init__(folder, body_models, metrics, PAIR_METRICS, every, body_only, betas,
                          close_holes, fps, threads)
 
+    hash_columns = ("clip_hash_a", "clip_hash_b", "body_model_hash_a", "body_model_hash_b")
+
     @property
     def columns(self) -> Tuple[str, ...]:
         """Names of the columns of a row."""
         measured = tuple(f"{name}_{kind}" for name in self.metrics for kind in _KINDS)
         return (_PAIR_COLUMNS + measured + (("volume_error",) if "volume" in self.metrics else ())
-                + _HASHES)
+                + self.hash_columns)
 
     def item_of(self, row: Mapping[str, object]) -> Pair:
         """Returns the pair of a row."""

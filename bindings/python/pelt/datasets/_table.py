@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
 import itertools
@@ -32,7 +33,8 @@ class Table:
     done:     clips or pairs that the table has.
     changed:  clips or pairs whose files have other arrays than when their rows were written. Their rows
               are no longer in the table.
-    copy:     path of a copy of the table with the rows of `changed`; "" if nothing has changed.
+    copy:     path of a copy of the table before the rows of `changed` were removed; "" if nothing has
+              changed.
     hashes:   whether the rows have hashes of files. Tables of early versions do not, so changes of their
               clips go unnoticed.
 
@@ -104,11 +106,11 @@ class Table:
         self._read_header(rows[0])
         current = [values for number, values in enumerate(rows[1:], 2) if self._is_current(number, values)]
         if self.changed:
-            self._replace([self._columns, *current])
+            self._replace(content[:whole], [self._columns, *current])
 
     def _read_header(self, names: List[str]) -> None:
         columns = list(self._columns)
-        if names == [name for name in columns if "_hash" not in name]:
+        if names == [name for name in columns if name not in self._measure.hash_columns]:
             self.hashes = False
             self._columns = tuple(names)
         elif names != columns:
@@ -127,24 +129,33 @@ class Table:
         self.done.add(item)
         return True
 
-    def _replace(self, rows: Iterable[Sequence[object]]) -> None:
-        """Replaces the table at once, so that a process that is killed loses no rows."""
+    def _replace(self, content: bytes, rows: Iterable[Sequence[object]]) -> None:
+        """Replaces the table at once, so that a process that is killed loses no rows.
+
+        content:  of the table so far, for `copy`.
+        """
         path = os.path.realpath(self.path)
-        names = (f"{path}.old-{number}" for number in itertools.count(1))
-        self.copy = next(name for name in names if not os.path.exists(name))
+        copy, new = _unused_name(path + ".old"), _unused_name(path + ".new")
+        made: List[str] = []
         try:
-            shutil.copy(path, self.copy)
-            shutil.copy(path, path + ".new")  # has the permissions of the table
-            with open(path + ".new", "wb") as file:
-                file.writelines(map(_line, rows))
-                file.flush()
-                os.fsync(file.fileno())
+            for name, data in ((copy, content), (new, b"".join(map(_line, rows)))):
+                with open(name, "xb") as file:
+                    made.append(name)
+                    shutil.copymode(path, name)
+                    file.write(data)
+                    file.flush()
+                    os.fsync(file.fileno())
             old = self._file
             if fcntl is None:
                 old.close()  # Windows replaces no file that is open
-            os.replace(path + ".new", path)
+            os.replace(new, path)
         except OSError as error:
-            raise Error(f"{self.path}: cannot be replaced: {error.strerror}") from error
+            for name in made:
+                with contextlib.suppress(OSError):
+                    os.remove(name)
+            raise Error(f"{self.path}: the rows of changed clips cannot be removed: {error.strerror}: make "
+                        "room in its folder, allow writing there, or choose another file") from error
+        self.copy = copy
         try:
             self._open()
         finally:
@@ -153,6 +164,11 @@ class Table:
     def _write(self, values: Sequence[object]) -> None:
         self._file.write(_line(values))
         os.fsync(self._file.fileno())
+
+
+def _unused_name(start: str) -> str:
+    names = (f"{start}-{number}" for number in itertools.count(1))
+    return next(name for name in names if not os.path.lexists(name))
 
 
 def _line(values: Sequence[object]) -> bytes:
