@@ -76,8 +76,9 @@ struct ContactTrace {
   /// normal of a collapsed triangle counts as zero. If both triangles have collapsed, `normal` is
   /// zero.
   ///
-  /// Error: n_a and n_b are off by less than 2^-24. For triangles that are nearly in one plane,
-  /// n_b - n_a is small, and the direction of `normal` may be wrong. In one plane, it is right.
+  /// Error: n_a and n_b each differ from the exact unit normal by less than 2^-24. For triangles
+  /// that are nearly in one plane, n_b - n_a is small, and the direction of `normal` may be wrong.
+  /// In one plane, it is right.
   Vec3 normal;
 
   /// Overlap of the two triangles along `normal`, 0 or more. After the triangle of `a` has moved by
@@ -196,7 +197,7 @@ PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b
 /// Along a curve, triangle_a may change sides, because triangle_a is always the triangle with the
 /// lower number. Where triangle_a changes sides, `CurveStep::is_reversed` changes, too.
 ///
-/// A segment that ends at a corner that its two triangles share is not chained there. In general
+/// Curves do not continue through a corner that the two triangles of a segment share. In general
 /// position, each curve of a closed surface is closed, or starts and ends at such corners, for
 /// example at the ends of a crease. If a filter of `self_collide` has left out contacts, curves end
 /// where these contacts are missing.

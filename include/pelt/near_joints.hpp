@@ -59,9 +59,10 @@ struct NearJoints {
 /// they have a corner in the ball.
 ///
 /// Limits, which only hostile models reach: corners that more than 64 bodies share at one position
-/// are ignored, and so are bodies more than 64 levels above. Once zones would test each triangle of
-/// the model 64 times on average, the remaining bodies have no zones; they are near everywhere to
-/// those that they share corners with.
+/// are ignored. At a corner, only the nearest 64 bodies above that move triangles are considered.
+/// Zones are built in the order of bodies. Once building them would test more than 64 T triangles
+/// in total, the remaining bodies have no zones; they are near everywhere to those that they share
+/// corners with.
 ///
 /// `bodies`: of the joints of the model. For characters of glTF files, see `asset::joint_bodies`.
 /// `positions`: [V] posed vertices in a pose in which each part of the body is in its place; any
