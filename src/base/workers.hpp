@@ -32,7 +32,9 @@ class Workers {
   static std::uint32_t available();
 
   /// Returns `threads`, or `available()` if it is 0.
-  static std::uint32_t choose(std::uint32_t threads) { return threads > 0 ? threads : available(); }
+  static std::uint32_t count_or_available(std::uint32_t threads) {
+    return threads > 0 ? threads : available();
+  }
 
  private:
   void start(std::uint32_t count);

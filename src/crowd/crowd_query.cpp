@@ -135,7 +135,7 @@ void CrowdQuery::add_self_tests(CrowdInstances& instances, const CrowdOptions& o
 }
 
 void CrowdQuery::start_workers(std::uint32_t threads) {
-  threads = Workers::choose(threads);
+  threads = Workers::count_or_available(threads);
   worker_count_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(pairs_.size(), 1, threads));
   if (workers_.size() < worker_count_) workers_.resize(worker_count_);
   for (Worker& worker : workers_) worker.clear();

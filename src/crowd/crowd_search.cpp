@@ -25,7 +25,7 @@ bool is_decided(const SearchState& state) {
 CrowdStats CrowdSearch::run(CrowdInstances& instances, std::span<const CrowdPair> pairs,
                             const CrowdBudget& budget, std::uint32_t threads) {
   require(budget.slice > 0, "Crowd::search: the slice is 0; give 1 unit of work or more");
-  threads = Workers::choose(threads);
+  threads = Workers::count_or_available(threads);
   workers_.resize(std::clamp<std::size_t>(pairs.size(), 1, threads));
   for (Worker& worker : workers_) {
     worker.nodes.clear();

@@ -90,8 +90,8 @@ def load(path: Path, *, fps: Optional[float] = None) -> Motion:
     The mean pose of the hands that body models contain is not added: rotations of hands are those of
     smplx with `flat_hand_mean=True` and `use_pca=False`.
 
-    fps:      frames per second if the file does not state them, or states two rates, one of which is
-              `fps`. Files of Inter-X state none: they have 120.
+    fps:      frames per second, if the file states none. If it states two rates, `fps` must be one of
+              them. Files of Inter-X state none: they have 120.
 
     `poses` of another number of joints are read, too. Without `betas`, the motion has none, so it gets
     the mean shape. Other keys, such as `dmpls`, are ignored; nothing in the file is unpickled.

@@ -10,7 +10,7 @@ namespace pelt::tools::check {
 
 Result<void> ask_frames(const CheckPlan& plan, const FrameIndices& indices, std::uint32_t threads,
                         const std::function<Result<void>(const FrameAnswer& answer)>& use) {
-  threads = detail::Workers::choose(threads);
+  threads = detail::Workers::count_or_available(threads);
   const auto workers =
       static_cast<std::uint32_t>(std::clamp<std::size_t>(indices.count(), 1, threads));
   std::vector<std::unique_ptr<CheckQuery>> queries(workers);  // each made by its own thread

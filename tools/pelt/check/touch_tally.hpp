@@ -19,7 +19,8 @@ namespace pelt::tools::check {
 /// Counts contacts by pairs of places, of joints and of parts.
 class TouchTally {
  public:
-  /// `staged` must outlive the tally. Returns an error if no model can be built from the assets.
+  /// The scene and the colliders of `staged` must outlive the tally. Returns an error if no model
+  /// can be built from the assets.
   static Result<TouchTally> make(const scene::StagedScene& staged);
 
   /// Adds the contacts of a frame. Call once per frame, in the order of frames.

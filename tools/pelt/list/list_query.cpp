@@ -110,7 +110,8 @@ void warn_of_missing_scenes(const ListPlan& plan) {
 }
 
 Result<void> ask_scenes(const ListPlan& plan, const SceneIndices& indices, const UseScene& use) {
-  const std::uint32_t threads = detail::Workers::choose(plan.arguments.threads.value_or(0));
+  const std::uint32_t threads =
+      detail::Workers::count_or_available(plan.arguments.threads.value_or(0));
   const auto workers =
       static_cast<std::uint32_t>(std::clamp<std::size_t>(indices.count(), 1, threads));
   output::Progress progress(indices.count());

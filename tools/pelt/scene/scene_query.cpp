@@ -43,7 +43,7 @@ SceneQuery SceneQuery::as_crowd(std::span<const Collider> colliders, std::uint32
 }
 
 void SceneQuery::make_crowd(std::uint32_t threads) {
-  thread_count_ = detail::Workers::choose(threads);
+  thread_count_ = detail::Workers::count_or_available(threads);
   threads_ = std::make_unique<detail::Workers>();
   crowd_.emplace();
   for (const Collider& collider : colliders_) crowd_->add(collider.model);

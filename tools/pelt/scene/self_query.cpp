@@ -29,7 +29,7 @@ SelfQuery::SelfQuery(std::span<const Collider> colliders, SelfFilters filters,
       filters_(std::move(filters)),
       posed_(colliders),
       workers_(std::make_unique<detail::Workers>()),
-      scratches_(std::clamp<std::size_t>(detail::Workers::choose(threads), 1,
+      scratches_(std::clamp<std::size_t>(detail::Workers::count_or_available(threads), 1,
                                          std::max<std::size_t>(1, colliders.size()))),
       own_(colliders.size()) {
   std::size_t instances = 0;

@@ -71,7 +71,7 @@ std::vector<std::optional<Result<Opened>>> open_shards(std::span<const std::stri
                                                        std::uint32_t threads) {
   std::vector<std::optional<Result<Opened>>> opened(paths.size());
   const auto count = static_cast<std::uint32_t>(
-      std::clamp<std::size_t>(paths.size(), 1, detail::Workers::choose(threads)));
+      std::clamp<std::size_t>(paths.size(), 1, detail::Workers::count_or_available(threads)));
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> has_failed = false;
   detail::Workers workers;
@@ -274,7 +274,7 @@ Result<void> Shards::each_shard(const ReadShard& read) const {
 Result<void> Shards::replay(const scene::StagedScene& staged, const check::CheckSettings& settings,
                             const check::UseAnswer& use) const {
   const ExpectedFrames expected = {staged, settings.frames.frames(), settings.substeps.has_value()};
-  const std::uint32_t threads = detail::Workers::choose(settings.threads);
+  const std::uint32_t threads = detail::Workers::count_or_available(settings.threads);
   return each_shard([&](const std::string& path, const Shard& shard, std::istream& in) {
     return ShardAnswers(path, shard, in, expected).replay(threads, use);
   });
