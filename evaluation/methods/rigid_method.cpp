@@ -1,4 +1,4 @@
-#include "collide/collide_exact.hpp"
+#include "collide/eager.hpp"
 #include "evaluation/methods/lab_methods.hpp"
 #include "model/model.hpp"
 #include "model/tree_build.hpp"
@@ -46,7 +46,7 @@ struct Frozen {
   std::vector<Matrix4> joints;
   std::vector<float> morphs;
   detail::Tree tree;
-  detail::ExactPose pose;
+  detail::EagerPose pose;
 };
 
 class RigidBody {
@@ -66,7 +66,7 @@ class RigidBody {
     return taken;
   }
 
-  detail::ExactPose& pose() { return now_->pose; }
+  detail::EagerPose& pose() { return now_->pose; }
 
  private:
   bool is_of_palette(const Frozen& frozen) const {

@@ -1,8 +1,8 @@
-#include "collide/collide_exact.hpp"
+#include "collide/eager.hpp"
 #include "evaluation/methods/lab_self_methods.hpp"
-#include "geometry/neighbour_pair.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
+#include "self/neighbour_pair.hpp"
 #include "skin/skin.hpp"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ class SelfEagerMethod final : public Method {
     detail::SkinnedMesh mesh;
     std::vector<std::uint32_t> surface;
     std::vector<Vec3> positions;
-    detail::ExactPose pose;
+    detail::EagerPose pose;
     detail::Palette palette;
   };
 

@@ -3,7 +3,7 @@
 /// Pelt's narrow phase for a body against itself, for libraries that expose their candidates.
 
 #include "evaluation/peers/candidates.hpp"
-#include "geometry/neighbour_pair.hpp"
+#include "self/neighbour_pair.hpp"
 
 #include <algorithm>
 #include <map>

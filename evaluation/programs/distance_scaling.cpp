@@ -7,7 +7,7 @@
 #include "evaluation/programs/microseconds.hpp"
 #include "evaluation/programs/walking_crowd.hpp"
 #include "model/model.hpp"
-#include "pose/exact_pose.hpp"
+#include "pose/eager_pose.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/statistics.hpp"
 
@@ -72,7 +72,7 @@ struct Walkers {
 
   SkinnedModel model;
   Pose a, b;
-  detail::ExactPose exact_a, exact_b;
+  detail::EagerPose exact_a, exact_b;
   Scratch scratch;
 };
 

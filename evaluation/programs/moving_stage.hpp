@@ -3,7 +3,7 @@
 /// The pairs of triangles that a query between frames tests, and the first stage of the test: eight
 /// pairs at once in float. Compiled once for each instruction set, like the library.
 
-#include "geometry/moving_filter.hpp"
+#include "motion/moving_filter.hpp"
 #include "motion/moving_tree.hpp"
 #include "query/scratch.hpp"
 

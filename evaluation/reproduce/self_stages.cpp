@@ -2,7 +2,7 @@
 
 #include "evaluation/rivals/tree_stages.hpp"
 #include "model/model.hpp"
-#include "pose/exact_pose.hpp"
+#include "pose/eager_pose.hpp"
 #include "self/self_filter.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/output/statistics.hpp"
@@ -81,7 +81,7 @@ class StageRun {
   }
 
   Pose pose_;
-  detail::ExactPose exact_;
+  detail::EagerPose exact_;
   SelfFilter filter_, without_fans_;
   Scratch scratch_;
   detail::Scratch tree_scratch_;

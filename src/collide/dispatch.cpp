@@ -2,13 +2,23 @@
 
 #include "base/dispatch.hpp"
 #include "collide/collide_trees.hpp"
+#include "collide/first_contact_steps.hpp"
+#include "collide/first_contact_trees.hpp"
 #include "collide/lowest_contact.hpp"
+#include "collide/moving_trees.hpp"
+#include "collide/search_steps.hpp"
 
 namespace pelt::detail {
 
 PELT_DECLARE_VERSIONS(collide_trees)
 PELT_DECLARE_VERSIONS(collide_trees_within)
 PELT_DECLARE_VERSIONS(lowest_contact)
+PELT_DECLARE_VERSIONS(collide_moving_trees)
+PELT_DECLARE_VERSIONS(first_contact_of_trees)
+PELT_DECLARE_VERSIONS(start_search)
+PELT_DECLARE_VERSIONS(advance_search)
+PELT_DECLARE_VERSIONS(start_first_contact)
+PELT_DECLARE_VERSIONS(advance_first_contact)
 
 inline namespace PELT_INSTRUCTION_SET {
 
@@ -25,6 +35,34 @@ QueryStats collide_trees_within(const PosedTree& a, const PosedTree& b, Scratch&
 QueryStats lowest_contact(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                           std::optional<Contact>& lowest) {
   return PELT_CHOOSE(lowest_contact)(a, b, scratch, lowest);
+}
+
+MovingStats collide_moving_trees(const MovingTree& a, const MovingTree& b, Scratch& scratch,
+                                 const MovingOptions& options) {
+  return PELT_CHOOSE(collide_moving_trees)(a, b, scratch, options);
+}
+
+MovingStats first_contact_of_trees(const MovingTree& a, const MovingTree& b, Scratch& scratch,
+                                   std::optional<MovingContact>& first) {
+  return PELT_CHOOSE(first_contact_of_trees)(a, b, scratch, first);
+}
+
+QueryStats start_search(const PosedTree& a, const PosedTree& b, SearchState& state) {
+  return PELT_CHOOSE(start_search)(a, b, state);
+}
+
+QueryStats advance_search(const PosedTree& a, const PosedTree& b, SearchState& state) {
+  return PELT_CHOOSE(advance_search)(a, b, state);
+}
+
+MovingStats start_first_contact(const MovingTree& a, const MovingTree& b,
+                                FirstContactState& state) {
+  return PELT_CHOOSE(start_first_contact)(a, b, state);
+}
+
+MovingStats advance_first_contact(const MovingTree& a, const MovingTree& b,
+                                  FirstContactState& state) {
+  return PELT_CHOOSE(advance_first_contact)(a, b, state);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/triangle_crossing.hpp"
+#include "contact/triangle_crossing.hpp"
 #include "model/surface.hpp"
 
 #include <array>

@@ -2,8 +2,8 @@
 
 #include "base/assert.hpp"
 #include "base/vec3.hpp"
+#include "contact/triangle_crossing.hpp"
 #include "geometry/ray_triangle.hpp"
-#include "geometry/triangle_crossing.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>

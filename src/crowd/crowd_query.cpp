@@ -3,10 +3,10 @@
 #include "base/bytes_held.hpp"
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
-#include "motion/moving_trees.hpp"
-#include "motion/self_moving_tree.hpp"
+#include "collide/moving_trees.hpp"
 #include "query/sort_contacts.hpp"
 #include "self/self_filter.hpp"
+#include "self/self_moving_tree.hpp"
 #include "self/self_tree.hpp"
 
 #include <algorithm>

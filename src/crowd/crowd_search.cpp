@@ -2,10 +2,10 @@
 
 #include "base/bytes_held.hpp"
 #include "base/require.hpp"
+#include "collide/search_answers.hpp"
+#include "collide/search_steps.hpp"
 #include "query/reserve_more.hpp"
 #include "query/sort_contacts.hpp"
-#include "search/search_answers.hpp"
-#include "search/search_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,9 +11,9 @@
 #include "base/arena.hpp"
 #include "base/work_shares.hpp"
 #include "base/workers.hpp"
+#include "collide/search_state.hpp"
 #include "crowd/instances.hpp"
 #include "query/scratch.hpp"
-#include "search/search_state.hpp"
 
 #include <span>
 #include <vector>

@@ -14,8 +14,8 @@
 ///   bool is_done() const      no more pairs are needed
 
 #include "distance/pair_search.hpp"
+#include "distance/triangle_distances.hpp"
 #include "distance/triangle_gaps.hpp"
-#include "geometry/triangle_distances.hpp"
 #include "pose/open_node.hpp"
 #include "query/reach.hpp"
 #include "query/slots.hpp"

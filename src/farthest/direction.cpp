@@ -1,6 +1,6 @@
 #include "base/vec3.hpp"
+#include "exact/exact_sum.hpp"
 #include "farthest/farthest_search.hpp"
-#include "geometry/exact_sum.hpp"
 
 #include <algorithm>
 #include <cmath>

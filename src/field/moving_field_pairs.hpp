@@ -4,9 +4,9 @@
 /// motion/moving_triangles.hpp.
 
 #include "field/field_cells.hpp"
-#include "geometry/moving_polynomials.hpp"
-#include "geometry/moving_triage.hpp"
+#include "motion/moving_polynomials.hpp"
 #include "motion/moving_tree.hpp"
+#include "motion/moving_triage.hpp"
 #include "query/triangle_batch.hpp"
 
 namespace pelt::detail {

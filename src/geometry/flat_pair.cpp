@@ -1,7 +1,7 @@
 #include "geometry/flat_pair.hpp"
 
+#include "exact/predicates.hpp"
 #include "geometry/pair_by_signs.hpp"
-#include "geometry/predicates.hpp"
 
 namespace pelt::detail {
 

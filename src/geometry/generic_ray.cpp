@@ -1,6 +1,6 @@
 #include "geometry/generic_ray.hpp"
 
-#include "geometry/predicates.hpp"
+#include "exact/predicates.hpp"
 
 namespace pelt::detail {
 namespace {

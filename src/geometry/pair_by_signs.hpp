@@ -16,9 +16,9 @@
 /// The templates have internal linkage: a compiler inlines what a file calls once only if no other
 /// file can call it.
 
+#include "exact/predicates.hpp"
 #include "geometry/flat_pair.hpp"
 #include "geometry/plane_sides.hpp"
-#include "geometry/predicates.hpp"
 
 #include <algorithm>
 #include <array>

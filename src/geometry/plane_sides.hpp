@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/predicates.hpp"
+#include "exact/predicates.hpp"
 #include "geometry/triangle_pair.hpp"
 
 #include <array>

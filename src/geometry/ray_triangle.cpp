@@ -14,7 +14,7 @@
 /// predicates.hpp.
 #include "geometry/ray_triangle.hpp"
 
-#include "geometry/exact_determinant.hpp"
+#include "exact/exact_determinant.hpp"
 
 #include <algorithm>
 #include <cmath>

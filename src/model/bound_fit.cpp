@@ -1,7 +1,7 @@
 #include "model/bound_fit.hpp"
 
-#include "geometry/symmetric3.hpp"
 #include "model/intervals.hpp"
+#include "model/symmetric3.hpp"
 
 #include <algorithm>
 #include <array>

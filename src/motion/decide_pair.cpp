@@ -1,6 +1,6 @@
 #include "motion/decide_pair.hpp"
 
-#include "geometry/moving_filter.hpp"
+#include "motion/moving_filter.hpp"
 
 namespace pelt::detail {
 

@@ -4,7 +4,7 @@
 
 #include <pelt/motion.hpp>
 
-#include "geometry/moving_pair.hpp"
+#include "motion/moving_pair.hpp"
 
 #include <optional>
 

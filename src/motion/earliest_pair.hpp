@@ -2,7 +2,7 @@
 
 #include <pelt/motion.hpp>
 
-#include "geometry/meeting_order.hpp"
+#include "motion/meeting_order.hpp"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 
 /// The pairs of triangles of a batch that may intersect until a time.
 
-#include "geometry/moving_triage.hpp"
+#include "motion/moving_triage.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

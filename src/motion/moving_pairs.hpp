@@ -5,10 +5,10 @@
 
 #include <pelt/collide.hpp>
 
-#include "geometry/moving_polynomials.hpp"
-#include "geometry/moving_triage.hpp"
 #include "motion/moving_boxes.hpp"
+#include "motion/moving_polynomials.hpp"
 #include "motion/moving_tree.hpp"
+#include "motion/moving_triage.hpp"
 #include "query/triangle_batch.hpp"
 
 namespace pelt::detail {

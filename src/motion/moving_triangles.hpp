@@ -12,8 +12,8 @@
 
 #include <pelt/motion.hpp>
 
-#include "geometry/moving_triage.hpp"
 #include "motion/decide_pair.hpp"
+#include "motion/moving_triage.hpp"
 #include "query/stack.hpp"
 
 namespace pelt::detail {

@@ -4,13 +4,13 @@
 #include "ray/ray_descent.hpp"
 
 #include "geometry/generic_ray.hpp"
-#include "geometry/ray_triage.hpp"
 #include "geometry/ray_triangle.hpp"
 #include "model/clusters.hpp"
 #include "pose/open_node.hpp"
 #include "query/access.hpp"
 #include "query/slots.hpp"
 #include "ray/ray_slabs.hpp"
+#include "ray/ray_triage.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

@@ -1,9 +1,9 @@
 #include "self/fan_pairs.hpp"
 
-#include "geometry/neighbour_pair.hpp"
 #include "query/find_triangle.hpp"
 #include "query/lanes.hpp"
 #include "query/triangle_batch.hpp"
+#include "self/neighbour_pair.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

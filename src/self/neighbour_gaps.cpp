@@ -1,9 +1,9 @@
 #include "self/neighbour_gaps.hpp"
 
-#include "geometry/triangle_separation.hpp"
 #include "pose/open_node.hpp"
 #include "query/lanes.hpp"
 #include "query/triangle_batch.hpp"
+#include "self/triangle_separation.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

@@ -1,6 +1,6 @@
 #include "solid/decide_touch.hpp"
 
-#include "geometry/capsule_triangle.hpp"
+#include "solid/capsule_triangle.hpp"
 
 #include <span>
 

@@ -5,7 +5,7 @@
 
 #include <pelt/motion.hpp>
 
-#include "geometry/moving_region.hpp"
+#include "solid/moving_region.hpp"
 #include "solid/prepared_region.hpp"
 
 #include <optional>

@@ -2,8 +2,8 @@
 
 #include "base/assert.hpp"
 #include "base/require.hpp"
-#include "geometry/capsule_triangle.hpp"
 #include "query/valid_numbers.hpp"
+#include "solid/capsule_triangle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include <pelt/solid.hpp>
 
-#include "geometry/faces_triangle.hpp"
 #include "geometry/triangle_pair.hpp"
+#include "solid/faces_triangle.hpp"
 
 #include <cstdint>
 

@@ -19,8 +19,8 @@
 /// runs in the opposite direction, so it contributes det(c, p, q) - det(c', p, q) to both. The term
 /// with w_b(c) is added in winding_flux.cpp.
 
-#include "geometry/generic_crossing.hpp"
 #include "query/scratch.hpp"
+#include "volume/generic_crossing.hpp"
 
 namespace pelt::detail {
 

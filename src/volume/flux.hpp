@@ -9,7 +9,7 @@
 /// q, r), it is det(p, q, r); for f = 1 on a polygon in a plane, it is the sum of det(c, p, q) over
 /// the sides (p, q) of the polygon, where c is any point of the plane.
 
-#include "geometry/exact_number.hpp"
+#include "exact/exact_number.hpp"
 #include "geometry/triangle_pair.hpp"
 
 namespace pelt::detail {

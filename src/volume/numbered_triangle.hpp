@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/perturbed_points.hpp"
 #include "geometry/triangle_pair.hpp"
+#include "volume/perturbed_points.hpp"
 
 #include <pelt/mesh.hpp>
 

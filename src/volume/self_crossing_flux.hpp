@@ -12,8 +12,8 @@
 ///
 /// The first is added in self_flux.cpp.
 
-#include "geometry/surface_crossing.hpp"
 #include "query/scratch.hpp"
+#include "volume/surface_crossing.hpp"
 
 namespace pelt::detail {
 

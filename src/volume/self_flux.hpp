@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/exact_number.hpp"
+#include "exact/exact_number.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
 #include "volume/winding_spread.hpp"

@@ -2,7 +2,7 @@
 
 #include <pelt/pose.hpp>
 
-#include "geometry/exact_number.hpp"
+#include "exact/exact_number.hpp"
 #include "geometry/generic_ray.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"

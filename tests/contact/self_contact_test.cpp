@@ -3,7 +3,7 @@
 #include <pelt/contact.hpp>
 #include <pelt/self_collide.hpp>
 
-#include "geometry/triangle_crossing.hpp"
+#include "contact/triangle_crossing.hpp"
 #include "support/allocation_count.hpp"
 #include "support/closed_shapes.hpp"
 #include "support/instruction_sets.hpp"

@@ -1,7 +1,7 @@
 /// A moving character against a height field, against the exact test of all pairs of triangles.
 
+#include "collide/moving_bodies.hpp"
 #include "fields.hpp"
-#include "motion/bodies.hpp"
 #include "support/instruction_sets.hpp"
 
 namespace pelt::test {

@@ -15,10 +15,9 @@ import pathlib
 import re
 import sys
 
-LIBRARY = ["include/pelt", "src/base", "src/geometry", "src/skin", "src/model", "src/pose",
-           "src/query", "src/collide", "src/self", "src/motion", "src/search", "src/bounds", "src/ray",
-           "src/distance", "src/farthest", "src/field", "src/solid", "src/contact", "src/inside", "src/volume",
-           "src/crowd"]
+LIBRARY = ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin", "src/model", "src/pose",
+           "src/query", "src/motion", "src/collide", "src/self", "src/bounds", "src/ray", "src/distance",
+           "src/farthest", "src/field", "src/solid", "src/contact", "src/inside", "src/volume", "src/crowd"]
 FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings",
           *("tools/pelt/" + f for f in ("output", "arguments", "methods", "scene", "query", "bench",
                                         "picture", "prepared", "page", "check", "list", "shard",
@@ -27,7 +26,7 @@ FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings",
 
 COMMAND = ["asset", "scenes", *(f for f in FLOORS if f.startswith("tools/pelt"))]
 EVALUATION = {
-    "evaluation/paper": ["include/pelt", "src/base", "src/geometry", "src/skin"],
+    "evaluation/paper": ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin"],
     "evaluation/rivals": [*LIBRARY, "evaluation/paper"],
     "evaluation/methods": [*LIBRARY, "tools/pelt/methods", "evaluation/paper", "evaluation/rivals"],
     "evaluation/peers": [*LIBRARY, *COMMAND, "evaluation/rivals", "evaluation/methods"],

@@ -1,7 +1,7 @@
 #include "fuzz/goal.hpp"
 #include "fuzz/pair_oracle.hpp"
 #include "fuzz/questions.hpp"
-#include "geometry/hulls_meet.hpp"
+#include "motion/hulls_meet.hpp"
 #include "support/exact_winding.hpp"
 #include "support/require.hpp"
 

@@ -4,7 +4,7 @@
 /// no idea with the library: a triangle is clipped at the planes of a region.
 
 #include "geometry/exact_distance.hpp"
-#include "geometry/hulls_meet.hpp"
+#include "motion/hulls_meet.hpp"
 #include "support/exact_winding.hpp"
 
 #include <pelt/solid.hpp>

@@ -4,9 +4,9 @@
 
 #include "fuzz/fuzzed_bodies.hpp"
 #include "fuzz/goal.hpp"
-#include "geometry/moving_filter.hpp"
-#include "geometry/moving_lanes.hpp"
-#include "geometry/moving_oracle.hpp"
+#include "motion/moving_filter.hpp"
+#include "motion/moving_lanes.hpp"
+#include "motion/moving_oracle.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "fuzz/goal.hpp"
 #include "fuzz/questions.hpp"
-#include "geometry/exact_neighbours.hpp"
+#include "self/exact_neighbours.hpp"
 #include "self/self_brute_force.hpp"
 #include "support/require.hpp"
 

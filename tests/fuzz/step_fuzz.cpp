@@ -5,8 +5,8 @@
 
 #include "fuzz/fuzzed_bodies.hpp"
 #include "fuzz/goal.hpp"
-#include "geometry/meeting_order.hpp"
-#include "geometry/moving_filter.hpp"
+#include "motion/meeting_order.hpp"
+#include "motion/moving_filter.hpp"
 #include "support/require.hpp"
 
 #include <pelt/instruction_set.hpp>

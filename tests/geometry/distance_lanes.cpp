@@ -1,7 +1,7 @@
 /// Compiled once for each instruction set. The test itself runs on any machine.
 #include "distance_lanes.hpp"
 
-#include "geometry/triangle_distances.hpp"
+#include "distance/triangle_distances.hpp"
 #include "lane_pairs.hpp"
 
 namespace pelt::test {

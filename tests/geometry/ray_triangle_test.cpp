@@ -1,6 +1,6 @@
 #include "geometry/ray_triangle.hpp"
 
-#include "finite_floats.hpp"
+#include "exact/finite_floats.hpp"
 #include "triangle_cases.hpp"
 
 #include <gmpxx.h>

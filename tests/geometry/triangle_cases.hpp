@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/triangle_pair.hpp"
-#include "hulls_meet.hpp"
+#include "motion/hulls_meet.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 /// (CGAL accepts no others).
 #include "geometry/triangle_pair.hpp"
 
-#include "finite_floats.hpp"
-#include "geometry/predicates.hpp"
+#include "exact/finite_floats.hpp"
+#include "exact/predicates.hpp"
 #include "triangle_cases.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,9 +1,9 @@
 /// The triangle pair test against exact integers, millions of pairs.
 #include "geometry/triangle_pair.hpp"
 
-#include "finite_floats.hpp"
-#include "geometry/predicates.hpp"
-#include "hulls_meet.hpp"
+#include "exact/finite_floats.hpp"
+#include "exact/predicates.hpp"
+#include "motion/hulls_meet.hpp"
 #include "triangle_cases.hpp"
 
 #include <gmpxx.h>

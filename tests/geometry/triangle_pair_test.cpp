@@ -1,6 +1,6 @@
 #include "geometry/triangle_pair.hpp"
 
-#include "finite_floats.hpp"
+#include "exact/finite_floats.hpp"
 #include "triangle_cases.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include <pelt/instruction_set.hpp>
 
 #include "base/hash.hpp"
-#include "finite_floats.hpp"
-#include "geometry/predicates.hpp"
+#include "exact/finite_floats.hpp"
+#include "exact/predicates.hpp"
 #include "geometry/triangle_pair.hpp"
 #include "triage_lanes.hpp"
 #include "triangle_cases.hpp"

@@ -4,7 +4,7 @@
 #include <pelt/collide.hpp>
 #include <pelt/self_collide.hpp>
 
-#include "geometry/predicates.hpp"
+#include "exact/predicates.hpp"
 #include "self/self_brute_force.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"

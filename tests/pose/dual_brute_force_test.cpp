@@ -1,11 +1,11 @@
 /// Queries of poses with dual quaternion skinning against brute force over all pairs of triangles.
 
 #include "collide/contacts_of.hpp"
-#include "motion/self_moving_brute_force.hpp"
 #include "pose/dual_bodies.hpp"
 #include "ray/ray_cases.hpp"
 #include "ray/ray_oracle.hpp"
 #include "self/self_brute_force.hpp"
+#include "self/self_moving_brute_force.hpp"
 #include "support/instruction_sets.hpp"
 
 #include <pelt/first_contact_search.hpp>

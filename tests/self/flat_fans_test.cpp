@@ -4,8 +4,8 @@
 #include "self/flat_fans.hpp"
 
 #include "fan_lanes.hpp"
-#include "geometry/neighbour_pair.hpp"
 #include "model/model.hpp"
+#include "self/neighbour_pair.hpp"
 #include "support/instruction_sets.hpp"
 #include "surface_shapes.hpp"
 

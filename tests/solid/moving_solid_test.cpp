@@ -1,7 +1,7 @@
 /// A moving character against regions, against the exact test of all triangles.
 
-#include "geometry/moving_region.hpp"
-#include "motion/bodies.hpp"
+#include "collide/moving_bodies.hpp"
+#include "solid/moving_region.hpp"
 #include "solid/prepared_region.hpp"
 #include "solid/random_regions.hpp"
 #include "support/allocation_count.hpp"

@@ -4,7 +4,7 @@
 /// in a random direction, and tries another direction if the ray meets an edge. Shares only the
 /// definition with the library.
 
-#include "geometry/hulls_meet.hpp"
+#include "motion/hulls_meet.hpp"
 
 #include <pelt/inside.hpp>
 #include <pelt/mesh.hpp>

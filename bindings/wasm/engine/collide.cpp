@@ -4,7 +4,7 @@
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
-#include "collide/collide_exact.hpp"
+#include "collide/eager.hpp"
 #include "model/model.hpp"
 #include "pose/pose.hpp"
 

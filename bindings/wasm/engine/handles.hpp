@@ -6,7 +6,7 @@
 #include <pelt/pose.hpp>
 #include <pelt/self_collide.hpp>
 
-#include "pose/exact_pose.hpp"
+#include "pose/eager_pose.hpp"
 #include "scenes/scene.hpp"
 
 #include <memory>
@@ -76,7 +76,7 @@ struct PoseHandle {
   std::vector<float> morphs;
   std::vector<Vec3> offsets;               ///< written by JavaScript and borrowed by the pose
   std::vector<Vec3> vertices, normals;     ///< read by JavaScript, which also writes vertices
-  std::optional<detail::ExactPose> eager;  ///< for collideEagerly
+  std::optional<detail::EagerPose> eager;  ///< for collideEagerly
   std::optional<Pose> whole;               ///< all nodes opened, for nodeBoxes
   bool has_vertices = false;               ///< whether `vertices` is up to date
   bool is_refitted = false;                ///< whether `eager` is up to date

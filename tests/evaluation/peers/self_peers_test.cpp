@@ -2,7 +2,7 @@
 
 #include "evaluation/peers/compare.hpp"
 #include "evaluation/peers/peers.hpp"
-#include "geometry/neighbour_pair.hpp"
+#include "self/neighbour_pair.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 /// `pelt check --between`: what touches between frames and in neither frame.
 
-#include "geometry/moving_pair.hpp"
+#include "motion/moving_pair.hpp"
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
 

@@ -3,8 +3,8 @@
 #include <pelt/version.hpp>
 
 #include "check_self.hpp"
-#include "geometry/neighbour_pair.hpp"
-#include "motion/self_moving_brute_force.hpp"
+#include "self/neighbour_pair.hpp"
+#include "self/self_moving_brute_force.hpp"
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"
 

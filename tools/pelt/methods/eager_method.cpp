@@ -1,4 +1,4 @@
-#include "collide/collide_exact.hpp"
+#include "collide/eager.hpp"
 #include "model/model.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 
@@ -34,7 +34,7 @@ class EagerMethod final : public Method {
     explicit Body(const SkinnedModel& m) : model(m), pose(model.detail().tree) {}
 
     SkinnedModel model;
-    detail::ExactPose pose;
+    detail::EagerPose pose;
   };
 
   std::vector<std::unique_ptr<Body>> bodies_;

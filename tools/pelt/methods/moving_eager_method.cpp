@@ -1,6 +1,5 @@
-#include "collide/collide_exact.hpp"
+#include "collide/eager.hpp"
 #include "model/model.hpp"
-#include "motion/moving_exact.hpp"
 #include "tools/pelt/methods/moving_methods.hpp"
 
 #include <utility>
@@ -12,7 +11,7 @@ class MovingEager final : public MovingMethod {
  public:
   void add(const SkinnedModel& model) override {
     bodies_.push_back(std::make_unique<Body>(model));
-    for (detail::ExactPose* pose : {&bodies_.back()->from, &bodies_.back()->to})
+    for (detail::EagerPose* pose : {&bodies_.back()->from, &bodies_.back()->to})
       update_work_ += pose->open_all();
   }
 
@@ -53,13 +52,13 @@ class MovingEager final : public MovingMethod {
     explicit Body(const SkinnedModel& m)
         : model(m), from(model.detail().tree), to(model.detail().tree) {}
 
-    detail::ExactPose& end() { return is_swapped ? from : to; }
-    detail::ExactMotion motion() {
-      return is_swapped ? detail::ExactMotion{to, from} : detail::ExactMotion{from, to};
+    detail::EagerPose& end() { return is_swapped ? from : to; }
+    detail::EagerMotion motion() {
+      return is_swapped ? detail::EagerMotion{to, from} : detail::EagerMotion{from, to};
     }
 
     SkinnedModel model;
-    detail::ExactPose from, to;
+    detail::EagerPose from, to;
     bool is_swapped = false;  // `from` is the end
   };
 

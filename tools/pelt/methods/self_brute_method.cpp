@@ -1,4 +1,4 @@
-#include "geometry/neighbour_pair.hpp"
+#include "self/neighbour_pair.hpp"
 #include "tools/pelt/methods/body_method.hpp"
 #include "tools/pelt/methods/brute_force.hpp"
 #include "tools/pelt/methods/self_methods.hpp"

@@ -1,0 +1,91 @@
+#include <pelt/first_contact_search.hpp>
+
+#include "base/assert.hpp"
+#include "collide/first_contact_steps.hpp"
+#include "collide/search_of_motions.hpp"
+#include "model/clusters.hpp"
+#include "motion/steps.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace pelt {
+namespace {
+
+/// Beyond `max_open`, the search is a depth-first descent (query/scratch.cpp), in which each step
+/// adds at most one item for each pair of slots.
+constexpr std::size_t kMostDepthFirst =
+    std::size_t{3} * detail::kMaxClusterTreeDepth * detail::kMaxSlots * detail::kMaxSlots;
+
+/// Calls `run(a, b)` with views of both motions.
+template <typename Run>
+MovingStats with_views(const detail::SearchOfMotions& search, const Run& run) {
+  const auto view = [&](std::size_t i) { return search.poses[i]->posed_tree(); };
+  const detail::PosedTree from_a = view(0), to_a = view(1), from_b = view(2), to_b = view(3);
+  return run(detail::MovingTree(from_a, to_a), detail::MovingTree(from_b, to_b));
+}
+
+}  // namespace
+
+FirstContactSearch::FirstContactSearch(const Motion& a, const Motion& b,
+                                       const FirstContactOptions& options, std::uint32_t max_open) {
+  detail::require_steps(a, b);
+  search_ = std::make_unique<detail::SearchOfMotions>(a, b);
+  search_->state.leave_out_start = options.leave_out_start;
+  search_->state.max_open = max_open;
+  restart();
+}
+
+FirstContactSearch::FirstContactSearch(FirstContactSearch&&) noexcept = default;
+FirstContactSearch& FirstContactSearch::operator=(FirstContactSearch&&) noexcept = default;
+FirstContactSearch::~FirstContactSearch() = default;
+
+void FirstContactSearch::reserve() {
+  search_->state.open.reserve(search_->state.max_open, kMostDepthFirst);
+}
+
+void FirstContactSearch::restart() {
+  detail::SearchOfMotions& s = *search_;
+  s.state.clear(s.poses[0]->model.detail().tree, s.poses[2]->model.detail().tree);
+  s.unreported = with_views(s, [&](const detail::MovingTree& a, const detail::MovingTree& b) {
+    return start_first_contact(a, b, s.state);
+  });
+  s.stamps = s.current_stamps();
+}
+
+MovingStats FirstContactSearch::advance(std::uint64_t work) {
+  PELT_ASSERT(!is_stale());
+  detail::SearchOfMotions& s = *search_;
+  MovingStats stats = std::exchange(s.unreported, {});
+  if (is_complete() || is_stale()) return stats;
+  s.state.work.grant(work);
+  stats += with_views(s, [&](const detail::MovingTree& a, const detail::MovingTree& b) {
+    return advance_first_contact(a, b, s.state);
+  });
+  stats.cut_short = !is_complete();
+  return stats;
+}
+
+bool FirstContactSearch::is_complete() const { return search_->state.open.is_empty(); }
+
+bool FirstContactSearch::is_stale() const { return search_->stamps != search_->current_stamps(); }
+
+Verdict FirstContactSearch::verdict() const {
+  if (earliest()) return Verdict::touching;
+  return is_complete() ? Verdict::apart : Verdict::unknown;
+}
+
+float FirstContactSearch::apart_until() const {
+  const float start = search_->state.open.earliest_start();
+  const std::optional<MovingContact> first = earliest();
+  return first ? std::min(start, first->time) : start;
+}
+
+std::optional<MovingContact> FirstContactSearch::earliest() const {
+  return search_->state.earliest();
+}
+
+std::uint64_t FirstContactSearch::work_done() const { return search_->state.work.done; }
+std::uint64_t FirstContactSearch::longest_step() const { return search_->state.work.longest_step; }
+
+}  // namespace pelt
