@@ -2,8 +2,8 @@
 
 #include "scenes/mesh_without_morphs.hpp"
 #include "self/near_joints.hpp"
-#include "skin/extent.hpp"
 #include "skin/skin.hpp"
+#include "skin/skinned_mesh.hpp"
 
 namespace pelt::scenes {
 

@@ -9,8 +9,8 @@
 #include "evaluation/reproduce/median_time.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
 #include "evaluation/reproduce/specimen.hpp"
-#include "pose/all_bounds.hpp"
 #include "pose/pose.hpp"
+#include "pose/pose_boxes.hpp"
 
 namespace pelt::reproduce {
 namespace {

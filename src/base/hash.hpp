@@ -1,7 +1,9 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace pelt::detail {
@@ -36,6 +38,47 @@ class Fnv1a64 {
   }
 
   std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+/// A checksum against accidents, about ten times faster than hashing byte by byte. 64-bit words in
+/// the machine's byte order update four lanes in turn, so that four multiplications run in
+/// parallel. A step (after xxHash) is a bijection in the lane and in the word, so damage within one
+/// word is always detected. It multiplies before and after the rotation; otherwise a flipped bit
+/// would stay isolated in the state, and another flipped bit in a later word could cancel it. Does
+/// not protect against forgery.
+class Checksum {
+ public:
+  static std::uint64_t of(std::span<const std::byte> bytes) {
+    Checksum sum;
+    for (; bytes.size() >= sizeof(Block); bytes = bytes.subspan(sizeof(Block))) sum.add(bytes);
+    sum.add(bytes);
+    return sum.value();
+  }
+
+ private:
+  using Block = std::uint64_t[4];
+
+  static std::uint64_t step(std::uint64_t state, std::uint64_t word) {
+    return std::rotl(state + word * 0x9E3779B97F4A7C15u, 29) * 0xD1342543DE82EF95u;
+  }
+
+  /// Adds the first block of `bytes`, padded with zeros if it is shorter.
+  void add(std::span<const std::byte> bytes) {
+    const std::size_t size = bytes.size() < sizeof(Block) ? bytes.size() : sizeof(Block);
+    Block words = {};
+    if (size > 0) std::memcpy(words, bytes.data(), size);
+    for (int i = 0; i < 4; ++i) lanes_[i] = step(lanes_[i], words[i]);
+    size_ += size;
+  }
+
+  std::uint64_t value() const {
+    std::uint64_t state = size_;
+    for (const std::uint64_t lane : lanes_) state = step(state, lane);
+    return state ^ state >> 32;
+  }
+
+  Block lanes_ = {1, 2, 3, 4};
+  std::uint64_t size_ = 0;
 };
 
 }  // namespace pelt::detail

@@ -3,7 +3,9 @@
 #include <pelt/query.hpp>
 
 #include "base/instruction_set.hpp"
+#include "model/node_bounds.hpp"
 #include "pose/posed_tree.hpp"
+#include "skin/palette.hpp"
 
 #include <cstdint>
 #include <span>
@@ -31,6 +33,18 @@ BoxFound box_given(const GivenVertices& given, std::span<const std::uint32_t> pl
 /// Returns the exact box of the posed vertices at these positions in the pools.
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places);
+
+}  // namespace PELT_INSTRUCTION_SET
+
+}  // namespace pelt::detail
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+
+/// Returns an upper bound of the distance of posed vertices from `centre` (four floats), or
+/// infinity if the bound of the root node is affine. Precondition: no coordinate of `centre`
+/// exceeds 2^64.
+float bounding_radius(const NodeBounds& bounds, const Palette& palette, const float* centre);
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -2,7 +2,6 @@
 
 #include "base/vec3.hpp"
 #include "bounds/bounding_box.hpp"
-#include "bounds/bounding_radius.hpp"
 #include "model/intervals.hpp"
 #include "pose/pose.hpp"
 

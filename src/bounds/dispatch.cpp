@@ -2,7 +2,7 @@
 
 #include "base/dispatch.hpp"
 #include "bounds/bounding_box.hpp"
-#include "bounds/bounding_radius.hpp"
+#include "bounds/farthest_search.hpp"
 
 namespace pelt::detail {
 
@@ -11,6 +11,7 @@ PELT_DECLARE_VERSIONS(bounding_radius)
 PELT_DECLARE_VERSIONS(bound_of_set)
 PELT_DECLARE_VERSIONS(box_given)
 PELT_DECLARE_VERSIONS(box_places)
+PELT_DECLARE_VERSIONS(find_farthest)
 
 inline namespace PELT_INSTRUCTION_SET {
 
@@ -33,6 +34,10 @@ BoxFound box_given(const GivenVertices& given, std::span<const std::uint32_t> pl
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places) {
   return PELT_CHOOSE(box_places)(tree, palette, places);
+}
+
+QueryStats find_farthest(const PosedTree& posed, const Vec3& direction, FarthestVertex& farthest) {
+  return PELT_CHOOSE(find_farthest)(posed, direction, farthest);
 }
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -1,5 +1,5 @@
 #include "bounds/level_boxes.hpp"
-#include "pose/all_bounds.hpp"
+#include "pose/open_node.hpp"
 
 #include <algorithm>
 

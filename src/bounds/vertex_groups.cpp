@@ -1,17 +1,78 @@
 #include "bounds/vertex_groups.hpp"
 
+#include <pelt/vertex_groups.hpp>
+
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
 #include "base/require.hpp"
 #include "bounds/bounding_box.hpp"
-#include "bounds/group_vertices.hpp"
+#include "model/tree.hpp"
 #include "model/unpack.hpp"
 #include "pose/pose.hpp"
 #include "skin/sample_poses.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
+
+namespace pelt::detail {
+namespace {
+
+/// Sets of vertices, each a list of places in the tree's pools, ascending.
+using VertexSets = std::vector<std::vector<std::uint32_t>>;
+
+/// Calls `visit(triangle, place)` for each corner of each triangle. A vertex in several pools has
+/// the same place in all triangles.
+template <typename Visit>
+void each_corner(const Tree& tree, const Visit& visit) {
+  const SkinnedMesh mesh = unpack_mesh(tree);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t vertex : mesh.triangles[t]) visit(t, tree.vertex_places[vertex]);
+}
+
+std::uint32_t leading_joint(const Tree& tree, std::uint32_t place) {
+  const auto weights = tree.weights.begin();
+  const auto first = weights + tree.influence_begin[place];
+  const auto last = weights + tree.influence_begin[place + 1];
+  return tree.joints[static_cast<std::size_t>(std::max_element(first, last) - weights)];
+}
+
+void keep_each_once(VertexSets& sets) {
+  for (std::vector<std::uint32_t>& places : sets) {
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+  }
+}
+
+/// Returns the vertices of the triangles with each label, ignoring kNoGroup. Precondition: `labels`
+/// has one element per triangle, each less than `count` or kNoGroup.
+VertexSets corners_by_label(const Tree& tree, std::span<const std::uint32_t> labels,
+                            std::uint32_t count) {
+  VertexSets sets(count);
+  each_corner(tree, [&](std::uint32_t triangle, std::uint32_t place) {
+    if (labels[triangle] != kNoGroup) sets[labels[triangle]].push_back(place);
+  });
+  keep_each_once(sets);
+  return sets;
+}
+
+/// Returns the vertices of all triangles by the joint with their largest weight; of equal weights,
+/// the first.
+VertexSets corners_by_joint(const Tree& tree) {
+  VertexSets sets(tree.joint_count);
+  each_corner(tree, [&](std::uint32_t, std::uint32_t place) {
+    sets[leading_joint(tree, place)].push_back(place);
+  });
+  keep_each_once(sets);
+  return sets;
+}
+
+}  // namespace
+
+}  // namespace pelt::detail
 
 namespace pelt {
 namespace {
@@ -90,11 +151,12 @@ Result<VertexGroups> group_triangles(const SkinnedModel& model,
                                      std::span<const std::uint32_t> labels) {
   if (Problem found = check_labels(labels, model.triangle_count()); !found.empty())
     return detail::invalid_argument(std::move(found));
-  return make_groups(model, corners_by_label(model.detail().tree, labels, group_count(labels)));
+  return make_groups(model,
+                     detail::corners_by_label(model.detail().tree, labels, group_count(labels)));
 }
 
 VertexGroups group_by_joint(const SkinnedModel& model) {
-  return make_groups(model, corners_by_joint(model.detail().tree));
+  return make_groups(model, detail::corners_by_joint(model.detail().tree));
 }
 
 QueryStats group_bounds(const Pose& pose, const VertexGroups& groups, std::uint32_t group,

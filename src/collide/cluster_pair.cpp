@@ -1,7 +1,7 @@
 #include "collide/cluster_pair.hpp"
 
 #include "pose/open_node.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 
 #include <bit>
 

@@ -2,9 +2,9 @@
 
 #include "collide/moving_trees.hpp"
 #include "motion/steps.hpp"
+#include "query/answers.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
-#include "query/yes_or_no.hpp"
 
 namespace pelt {
 namespace {

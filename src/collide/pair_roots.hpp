@@ -3,7 +3,7 @@
 /// The start of a descent of two posed trees.
 
 #include "pose/open_node.hpp"
-#include "query/box_overlap.hpp"
+#include "query/pair_descent.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

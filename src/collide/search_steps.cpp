@@ -9,7 +9,7 @@
 #include "collide/open_queue.hpp"
 #include "collide/search_rank.hpp"
 #include "pose/open_node.hpp"
-#include "query/box_overlap.hpp"
+#include "query/pair_descent.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,6 @@
 #include "base/assert.hpp"
 #include "base/require.hpp"
 #include "contact/curves.hpp"
-#include "contact/patches.hpp"
 #include "contact/traces.hpp"
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"

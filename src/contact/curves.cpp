@@ -1,5 +1,5 @@
 #include "contact/curves.hpp"
-
+#include "base/disjoint_sets.hpp"
 #include "base/vec3.hpp"
 #include "contact/traces.hpp"
 
@@ -82,6 +82,143 @@ void chain_curves(ContactLinks& work, ContactGeometry& geometry) {
     if (is_open(end / 2) && work.partners[end] == kNone) walk(end, work, geometry);
   for (std::uint32_t trace = 0; trace < geometry.traces.size(); ++trace)
     if (is_open(trace)) walk(2 * trace, work, geometry);
+}
+
+namespace {
+
+using Link = ContactLinks::Link;
+
+/// Links each triangle of one side with the corners of its partner triangle.
+void link_corners(const Contact& contact, std::uint32_t owner, const ContactSurfaces& surfaces,
+                  std::vector<Link>& links) {
+  const auto [in_a, in_b] = contact;
+  for (const std::uint32_t corner : surfaces.b.corners[in_b])
+    links.push_back({{0, in_a, corner}, owner});
+  for (const std::uint32_t corner : surfaces.a.corners[in_a])
+    links.push_back({{1, in_b, corner}, owner});
+}
+
+/// In contacts of a pose with itself, either triangle may have the lower number, so a contact
+/// counts twice, once with each triangle as that of `a`: as owner 2 i and 2 i + 1 for trace i.
+void link_all_corners(const ContactSurfaces& surfaces, const ContactGeometry& geometry,
+                      std::vector<Link>& links) {
+  links.clear();
+  for (std::uint32_t i = 0; i < geometry.traces.size(); ++i) {
+    const Contact& contact = geometry.traces[i].contact;
+    link_corners(contact, 2 * i, surfaces, links);
+    if (surfaces.is_self)
+      link_corners({contact.triangle_b, contact.triangle_a}, 2 * i + 1, surfaces, links);
+  }
+  std::sort(links.begin(), links.end(), [](const Link& x, const Link& y) { return x.key < y.key; });
+}
+
+/// Labels each trace with twice the lowest trace of its connected set, plus one if the sides of the
+/// two traces are swapped. A connected set that contains a trace both ways has no sides: its traces
+/// count as not swapped.
+void label_patches(std::uint32_t count, ContactLinks& work) {
+  std::vector<std::uint32_t>& labels = work.labels;
+  DisjointSets sets(2 * count, labels);
+  for (std::size_t i = 1; i < work.links.size(); ++i)
+    if (work.links[i].key == work.links[i - 1].key)
+      sets.join(work.links[i].owner, work.links[i - 1].owner);
+  for (std::uint32_t i = 0; i < 2 * count; ++i) labels[i] = sets.find(i);
+  for (std::size_t i = 0; i < count; ++i)
+    labels[i] = labels[2 * i] <= labels[2 * i + 1] ? labels[2 * i] : labels[2 * i + 1] + 1;
+}
+
+/// A trace with the sides of its patch.
+class PatchTrace {
+ public:
+  PatchTrace(std::uint32_t trace, const ContactGeometry& geometry, const ContactLinks& work)
+      : trace_(geometry.traces[trace]), is_swapped_(work.labels[trace] % 2 == 1) {}
+
+  Vec3d normal() const { return (is_swapped_ ? -1.0 : 1.0) * Vec3d(trace_.normal); }
+  std::uint16_t joint_a() const { return is_swapped_ ? trace_.joint_b : trace_.joint_a; }
+  std::uint16_t joint_b() const { return is_swapped_ ? trace_.joint_a : trace_.joint_b; }
+
+ private:
+  const ContactTrace& trace_;
+  bool is_swapped_;
+};
+
+/// Sorts the values, and returns the most frequent one; of equally frequent values, the lowest.
+std::uint16_t most_frequent(std::vector<std::uint32_t>& values) {
+  std::sort(values.begin(), values.end());
+  std::size_t most = 0;
+  std::uint32_t best = values[0];
+  for (std::size_t begin = 0, end = 0; begin < values.size(); begin = end) {
+    while (end < values.size() && values[end] == values[begin]) ++end;
+    if (end - begin > most) best = values[begin];
+    most = std::max(most, end - begin);
+  }
+  return static_cast<std::uint16_t>(best);
+}
+
+void add_joints(std::span<const std::uint32_t> members, const ContactGeometry& geometry,
+                ContactLinks& work, ContactPatch& patch) {
+  const auto most_frequent_joint = [&](std::uint16_t (PatchTrace::*joint)() const) {
+    work.partners.clear();
+    for (const std::uint32_t member : members)
+      work.partners.push_back((PatchTrace(member, geometry, work).*joint)());
+    return most_frequent(work.partners);
+  };
+  patch.joint_a = most_frequent_joint(&PatchTrace::joint_a);
+  patch.joint_b = most_frequent_joint(&PatchTrace::joint_b);
+}
+
+/// If no trace has a length, all traces have the same weight.
+ContactPatch describe(std::uint32_t first, std::span<const std::uint32_t> members,
+                      const ContactGeometry& geometry, ContactLinks& work) {
+  ContactPatch patch;
+  patch.first = first;
+  patch.count = static_cast<std::uint32_t>(members.size());
+  double length = 0;
+  for (const std::uint32_t member : members) length += length_of(geometry.traces[member]);
+  Vec3d point, normal;
+  for (const std::uint32_t member : members) {
+    const ContactTrace& trace = geometry.traces[member];
+    const double share = length > 0 ? length_of(trace) / length : 1.0 / patch.count;
+    point = point + 0.5 * share * (Vec3d(trace.from) + Vec3d(trace.to));
+    normal = normal + share * PatchTrace(member, geometry, work).normal();
+    patch.depth = std::max(patch.depth, trace.depth);
+  }
+  const double size = std::sqrt(squared_length(normal));
+  patch.length = static_cast<float>(length);
+  patch.point = to_float(point);
+  if (size > 0) patch.normal = to_float((1 / size) * normal);
+  add_joints(members, geometry, work, patch);
+  return patch;
+}
+
+/// Sorts the traces by patch.
+void sort_members(const std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& members) {
+  for (std::uint32_t i = 0; i < members.size(); ++i) members[i] = i;
+  std::sort(members.begin(), members.end(), [&](std::uint32_t x, std::uint32_t y) {
+    return labels[x] / 2 < labels[y] / 2 || (labels[x] / 2 == labels[y] / 2 && x < y);
+  });
+}
+
+}  // namespace
+
+void gather_patches(const ContactSurfaces& surfaces, ContactLinks& work,
+                    ContactGeometry& geometry) {
+  link_all_corners(surfaces, geometry, work.links);
+  label_patches(static_cast<std::uint32_t>(geometry.traces.size()), work);
+  std::vector<std::uint32_t>& members = geometry.members;
+  members.resize(geometry.traces.size());
+  sort_members(work.labels, members);
+  geometry.patches.clear();
+  for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
+    const std::uint32_t patch = work.labels[members[begin]] / 2;
+    while (end < members.size() && work.labels[members[end]] / 2 == patch) ++end;
+    geometry.patches.push_back(describe(static_cast<std::uint32_t>(begin),
+                                        std::span(members).subspan(begin, end - begin), geometry,
+                                        work));
+  }
+  std::sort(geometry.patches.begin(), geometry.patches.end(),
+            [](const ContactPatch& x, const ContactPatch& y) {
+              return x.count > y.count || (x.count == y.count && x.first < y.first);
+            });
 }
 
 }  // namespace pelt::detail

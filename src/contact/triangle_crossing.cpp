@@ -16,7 +16,7 @@
 #include "exact/exact_determinant.hpp"
 #include "exact/predicates.hpp"
 #include "geometry/flat_pair.hpp"
-#include "geometry/plane_sides.hpp"
+#include "geometry/pair_by_signs.hpp"
 
 #include <algorithm>
 #include <cmath>

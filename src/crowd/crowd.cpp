@@ -3,7 +3,7 @@
 #include "crowd/crowd_query.hpp"
 #include "crowd/crowd_search.hpp"
 #include "crowd/instances.hpp"
-#include "query/reserve_more.hpp"
+#include "query/answers.hpp"
 
 namespace pelt {
 namespace detail {

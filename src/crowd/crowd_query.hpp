@@ -17,7 +17,6 @@
 #include <pelt/crowd.hpp>
 
 #include "base/arena.hpp"
-#include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "crowd/instances.hpp"
 #include "crowd/islands.hpp"

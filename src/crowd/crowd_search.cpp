@@ -4,7 +4,7 @@
 #include "base/require.hpp"
 #include "collide/search_answers.hpp"
 #include "collide/search_steps.hpp"
-#include "query/reserve_more.hpp"
+#include "query/answers.hpp"
 #include "query/sort_contacts.hpp"
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #include <pelt/crowd.hpp>
 
 #include "base/arena.hpp"
-#include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "collide/search_state.hpp"
 #include "crowd/instances.hpp"

@@ -2,8 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/bytes_held.hpp"
-#include "pose/refit_given.hpp"
-#include "pose/root_box.hpp"
+#include "pose/pose_boxes.hpp"
 
 namespace pelt::detail {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "base/bytes_held.hpp"
 #include "base/float8.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 
 #include <algorithm>
 #include <cmath>

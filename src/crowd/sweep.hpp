@@ -6,7 +6,7 @@
 
 #include <pelt/crowd.hpp>
 
-#include "pose/root_box.hpp"
+#include "pose/pose_boxes.hpp"
 
 #include <cstdint>
 #include <vector>

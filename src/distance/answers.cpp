@@ -1,6 +1,5 @@
 #include "distance/answers.hpp"
-
-#include "query/access.hpp"
+#include "query/answers.hpp"
 
 #include <algorithm>
 #include <cmath>

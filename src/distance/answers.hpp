@@ -2,7 +2,12 @@
 
 #include <pelt/distance.hpp>
 
+#include "base/require.hpp"
 #include "distance/pair_search.hpp"
+#include "query/answers.hpp"
+#include "query/scratch.hpp"
+
+#include <algorithm>
 
 namespace pelt::detail {
 
@@ -15,5 +20,39 @@ Distance distance_touching(const Contact& contact, const TriangleCorners& corner
 
 /// Returns the answer for operands that do not touch, from a search within the options' limits.
 Distance distance_apart(const TriangleGap& gap, const DistanceOptions& options);
+
+/// Computes the least distance of a pose from another pose or from a height field.
+///
+/// `find_touching(most, max_work)`: writes up to `most` touching pairs to `scratch.found`; returns
+///   its work, with `cut_short` if `max_work` ended it.
+/// `describe(contact, work)`: returns the answer for a touching pair; adds to `work`.
+/// `find_closest(limits, gap)`: finds the closest triangles of operands that do not touch; returns
+///   its work.
+template <typename FindTouching, typename Describe, typename FindClosest>
+QueryStats least_distance(Scratch& scratch, const DistanceOptions& options, Distance& result,
+                          const FindTouching& find_touching, const Describe& describe,
+                          const FindClosest& find_closest) {
+  require(options.max_distance >= 0 && options.tolerance >= 0,
+          "distance: the maximum distance or the tolerance is negative or NaN");
+  const bool is_limited = options.work != SearchLimits::kUnlimited;
+  QueryStats stats = find_touching(options.tolerance > 0 ? 1 : CollideOptions().max_contacts,
+                                   is_limited ? options.work / 2 : options.work);
+  const bool is_unsure = is_limited && stats.cut_short;  // whether they touch
+  stats.cut_short = false;
+  if (Stack<Contact>& found = scratch.found; !found.empty()) {
+    result = describe(*std::min_element(found.begin(), found.end()), stats);
+    stats.cut_short = is_unsure && options.tolerance == 0;
+    return stats;
+  }
+  const ClusterSlots hint = options.hint ? Access::numbers(options.hint->location) : ClusterSlots{};
+  TriangleGap gap;
+  SearchLimits limits = {options.max_distance, options.tolerance, options.hint ? &hint : nullptr};
+  if (is_limited) limits.work = options.work - std::min(options.work, work_of(stats));
+  stats += find_closest(limits, gap);
+  stats.cut_short = stats.cut_short || is_unsure;
+  result = distance_apart(gap, options);
+  result.lower_bound = is_unsure ? 0 : std::min(result.lower_bound, gap.open_distance);
+  return stats;
+}
 
 }  // namespace pelt::detail

@@ -3,16 +3,14 @@
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
 #include "distance/answers.hpp"
-#include "distance/least_distance.hpp"
 #include "distance/pair_search.hpp"
 #include "distance/point_search.hpp"
 #include "pose/pose.hpp"
-#include "query/access.hpp"
+#include "query/answers.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
 #include "query/valid_numbers.hpp"
-#include "query/yes_or_no.hpp"
 
 #include <cmath>
 

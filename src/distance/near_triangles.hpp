@@ -17,9 +17,8 @@
 #include "distance/triangle_distances.hpp"
 #include "distance/triangle_gaps.hpp"
 #include "pose/open_node.hpp"
-#include "query/reach.hpp"
+#include "query/nearest_search.hpp"
 #include "query/slots.hpp"
-#include "query/squared_gaps.hpp"
 #include "query/triangle_batch.hpp"
 
 namespace pelt::detail {

@@ -1,11 +1,14 @@
 #pragma once
 
+/// Compares pairs of triangles by distance, for all searches for the least distance.
+
 #include "base/instruction_set.hpp"
 #include "geometry/triangle_distance.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -46,6 +49,50 @@ QueryStats closest_triangles(const PosedTree& a, const PosedTree& b, Scratch& sc
 /// particular order. Stops at `max_pairs` in total.
 QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                             double tolerance, std::uint32_t max_pairs);
+
+}  // namespace PELT_INSTRUCTION_SET
+
+}  // namespace pelt::detail
+
+namespace pelt::detail {
+inline namespace PELT_INSTRUCTION_SET {
+
+/// Stores the pair with the least distance; of equally near pairs, the one with the lowest numbers.
+class LeastGap {
+ public:
+  LeastGap(const SearchLimits& limits, TriangleGap& best) : limits_(limits), best_(best) {}
+
+  double reach() const {
+    if (!is_found_) return limits_.max_distance;
+    const double reach = std::sqrt(best_.closest.squared_distance) - limits_.tolerance;
+    return reach > 0 ? reach : 0;
+  }
+
+  bool keeps_best() const { return true; }
+  bool is_done() const { return false; }
+
+  bool wants(const TriangleGap& gap) const {
+    return is_found_ ? is_better(gap)
+                     : std::sqrt(gap.closest.squared_distance) <= limits_.max_distance;
+  }
+
+  void take(const TriangleGap& gap) {
+    best_ = gap;
+    is_found_ = true;
+  }
+
+ private:
+  bool is_better(const TriangleGap& gap) const {
+    const double squared = gap.closest.squared_distance, best = best_.closest.squared_distance;
+    if (squared != best) return squared < best;
+    if (gap.triangle_a != best_.triangle_a) return gap.triangle_a < best_.triangle_a;
+    return gap.triangle_b < best_.triangle_b;
+  }
+
+  const SearchLimits& limits_;
+  TriangleGap& best_;
+  bool is_found_ = false;
+};
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -3,7 +3,7 @@
 
 #include "distance/triangle_distances.hpp"
 
-#include "base/vec3d4.hpp"
+#include "base/double4.hpp"
 #include "geometry/triangle_distance.hpp"
 
 #include <cfloat>

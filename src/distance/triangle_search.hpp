@@ -5,10 +5,7 @@
 
 #include "distance/triangle_gaps.hpp"
 #include "pose/open_node.hpp"
-#include "query/push_nearest_last.hpp"
-#include "query/reach.hpp"
-#include "query/squared_gaps.hpp"
-#include "query/tree_part.hpp"
+#include "query/nearest_search.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

@@ -4,14 +4,11 @@
 
 #include "field/field_distance.hpp"
 
-#include "distance/least_gap.hpp"
+#include "distance/pair_search.hpp"
 #include "distance/triangle_gaps.hpp"
 #include "field/field_cells.hpp"
 #include "pose/open_node.hpp"
-#include "query/push_nearest_last.hpp"
-#include "query/reach.hpp"
-#include "query/squared_gaps.hpp"
-#include "query/tree_part.hpp"
+#include "query/nearest_search.hpp"
 
 #include <cmath>
 

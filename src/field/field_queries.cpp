@@ -2,18 +2,17 @@
 
 #include "base/require.hpp"
 #include "distance/answers.hpp"
-#include "distance/least_distance.hpp"
 #include "field/field_cast.hpp"
 #include "field/field_collide.hpp"
 #include "field/field_distance.hpp"
 #include "field/moving_field.hpp"
 #include "motion/steps.hpp"
 #include "pose/pose.hpp"
+#include "query/answers.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
 #include "query/valid_numbers.hpp"
-#include "query/yes_or_no.hpp"
 
 namespace pelt {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "field/moving_field_pairs.hpp"
 #include "motion/moving_triangles.hpp"
-#include "pose/root_box.hpp"
+#include "pose/pose_boxes.hpp"
 #include "query/contact_sink.hpp"
 
 namespace pelt::detail {

@@ -1,14 +1,67 @@
 #include "model/bound_fit.hpp"
-
+#include "base/vec3.hpp"
 #include "model/intervals.hpp"
-#include "model/symmetric3.hpp"
+#include "model/unpack.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <tuple>
+#include <utility>
 
 namespace pelt::detail {
 namespace {
+
+/// A symmetric 3 x 3 matrix.
+struct Symmetric3 {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+  void add_square(const Vec3d& v) {
+    xx += v.x * v.x, yy += v.y * v.y, zz += v.z * v.z;
+    xy += v.x * v.y, xz += v.x * v.z, yz += v.y * v.z;
+  }
+};
+
+/// One rotation of Jacobi's method (Golub & Van Loan, Matrix Computations, 8.5): makes m[p][q] zero
+/// and rotates the axes p and q in the same way.
+void rotate(double (&m)[3][3], std::array<Vec3d, 3>& axes, int p, int q) {
+  if (m[p][q] == 0) return;
+  const double slope = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+  const double t = (slope >= 0 ? 1 : -1) / (std::fabs(slope) + std::sqrt(1 + slope * slope));
+  const double c = 1 / std::sqrt(1 + t * t), s = t * c;
+  for (int k = 0; k < 3; ++k) {
+    const double kp = m[k][p], kq = m[k][q];
+    m[k][p] = c * kp - s * kq, m[k][q] = s * kp + c * kq;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const double pk = m[p][k], qk = m[q][k];
+    m[p][k] = c * pk - s * qk, m[q][k] = s * pk + c * qk;
+  }
+  const Vec3d axis_p = c * axes[p] - s * axes[q];
+  axes[q] = s * axes[p] + c * axes[q];
+  axes[p] = axis_p;
+}
+
+/// Eigenvectors: three unit vectors, orthogonal up to rounding of double.
+std::array<Vec3d, 3> eigenvectors(const Symmetric3& a) {
+  double m[3][3] = {{a.xx, a.xy, a.xz}, {a.xy, a.yy, a.yz}, {a.xz, a.yz, a.zz}};
+  std::array<Vec3d, 3> axes = {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};
+  constexpr int kSweeps = 8;  // quadratic convergence: four reach the precision of double
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    rotate(m, axes, 0, 1);
+    rotate(m, axes, 0, 2);
+    rotate(m, axes, 1, 2);
+  }
+  return axes;
+}
+
+/// The x with (matrix) x = b. Precondition: positive definite.
+Vec3d solve(const Symmetric3& a, const Vec3d& b) {
+  const Vec3d x{a.xx, a.xy, a.xz}, y{a.xy, a.yy, a.yz}, z{a.xz, a.yz, a.zz};
+  const Vec3d yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+  return (1 / dot(x, yz)) * (b.x * yz + b.y * zx + b.z * xy);
+}
 
 constexpr double kUnit = 0x1p-24;  // u of the rounding analysis
 
@@ -217,6 +270,70 @@ AffineFit fit_affine(const NodeVertices& vertices, const WeightRounding& roundin
   take_reference(fit, left);
   fit.margin = affine_margin(fit, left, rounding);
   return fit;
+}
+
+DisplacementFit::DisplacementFit(const Tree& tree)
+    : vertices_(unpack_vertices(tree)), numbers_(tree.joint_count) {}
+
+void DisplacementFit::add(const NodeBounds& bounds, const NodeBound& bound,
+                          std::span<const std::uint32_t> places) {
+  joint_boxes_.resize(bounds.joint_boxes.size());
+  shapes_.resize(bounds.shapes.size());
+  displaced_.clear();
+  vertex_counts_.assign(bound.is_affine() ? 1 : bound.joint_count, 0);
+  if (bound.is_affine()) {
+    for (const std::uint32_t place : places) gather(0, place);
+    box_all(shapes_, bound.shape);
+    return;
+  }
+  for (std::uint32_t i = 0; i < bound.joint_count; ++i)
+    numbers_[bounds.joints[bound.first_joint + i]] = i;
+  for (const std::uint32_t place : places)
+    for (const Influence& influence : vertices_.influences_of(place))
+      gather(numbers_[influence.joint], place);
+  box_all(joint_boxes_, bound.first_record);
+}
+
+void DisplacementFit::gather(std::uint32_t body, std::uint32_t place) {
+  ++vertex_counts_[body];
+  for (const Displacement& displacement : vertices_.displacements_of(place))
+    displaced_.push_back({body, displacement});
+}
+
+/// `first` is the number of the set's first body among all bodies of its kind.
+void DisplacementFit::box_all(std::vector<Boxes>& bodies, std::size_t first) {
+  const auto key = [](const Displaced& d) { return std::tuple(d.body, d.displacement.target); };
+  std::sort(displaced_.begin(), displaced_.end(),
+            [&](const Displaced& a, const Displaced& b) { return key(a) < key(b); });
+  for (auto run = displaced_.begin(); run != displaced_.end();) {
+    const auto end = std::find_if(run, displaced_.end(),
+                                  [&](const Displaced& other) { return key(other) != key(*run); });
+    bodies[first + run->body].push_back(box_of({&*run, static_cast<std::size_t>(end - run)}));
+    run = end;
+  }
+}
+
+DisplacementBox DisplacementFit::box_of(std::span<const Displaced> of_one_target) const {
+  Intervals3 extents;
+  for (const Displaced& displaced : of_one_target)
+    extents.include(Vec3d(displaced.displacement.by));
+  const bool some_stay = of_one_target.size() < vertex_counts_[of_one_target[0].body];
+  if (some_stay) extents.include(Vec3d());
+  DisplacementBox box;
+  box.target = of_one_target[0].displacement.target;
+  extents.store(box.centre, box.half);
+  return box;
+}
+
+void DisplacementFit::finish(NodeBounds& bounds) const {
+  bounds.displacement_begin.reserve(joint_boxes_.size() + shapes_.size() + 1);
+  bounds.displacement_begin.push_back(0);
+  for (const auto* bodies : {&joint_boxes_, &shapes_})
+    for (const Boxes& boxes : *bodies) {
+      bounds.displacements.insert(bounds.displacements.end(), boxes.begin(), boxes.end());
+      bounds.displacement_begin.push_back(static_cast<std::uint32_t>(bounds.displacements.size()));
+    }
+  bounds.displacements.shrink_to_fit();
 }
 
 }  // namespace pelt::detail

@@ -1,4 +1,4 @@
-#include "model/check_node_bounds.hpp"
+#include "model/check_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "model/check_pool_morphs.hpp"
+#include "model/check_tree.hpp"
 
 #include "skin/skinned_mesh.hpp"
 

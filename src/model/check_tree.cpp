@@ -1,6 +1,5 @@
 #include "model/check_tree.hpp"
 
-#include "model/check_pool_morphs.hpp"
 #include "model/clusters.hpp"
 #include "model/unpack.hpp"
 #include "model/weld.hpp"

@@ -9,12 +9,36 @@
 /// cuts that fill clusters. The area of a set is the mean over the sample poses, so that triangles
 /// which stay together in motion end up in the same cluster.
 
-#include "model/sample_boxes.hpp"
+#include <pelt/mesh.hpp>
 
+#include "geometry/box4.hpp"
+
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace pelt::detail {
+
+/// The boxes of all triangles in all sample poses.
+class SampleBoxes {
+ public:
+  /// `samples`: posed positions of all vertices in each pose. Precondition: at least one pose, and
+  /// all positions are finite.
+  SampleBoxes(std::span<const Triangle> triangles, std::span<const std::vector<Vec3>> samples);
+
+  std::uint32_t triangle_count() const { return triangle_count_; }
+  std::uint32_t sample_count() const { return sample_count_; }
+
+  /// One box for each sample pose.
+  const Box4* of(std::uint32_t triangle) const {
+    return boxes_.data() + std::size_t{triangle} * sample_count_;
+  }
+
+ private:
+  std::uint32_t triangle_count_, sample_count_;
+  std::vector<Box4> boxes_;  // [T][S]
+};
 
 /// Parents before children; node 0 is the root.
 struct ClusterTreeNode {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Evaluates what dual quaternion skinning adds to the box of a node; dual_bounds.hpp has the
+/// Evaluates what dual quaternion skinning adds to the box of a node; node_bounds.hpp has the
 /// formulas and their proof.
 
 #include "geometry/box4.hpp"
@@ -24,7 +24,7 @@ struct DualShift {
 /// How much wider a box may get, on each side, before its shift is bounded more tightly.
 inline constexpr float kShiftTolerance = 0x1p-3f;
 
-/// Most pairs that are summed. Sums over more than 200 would round too much (dual_bounds.hpp); a
+/// Most pairs that are summed. Sums over more than 200 would round too much (node_bounds.hpp); a
 /// node with so many is near the root, where a loose box costs less than a long sum.
 inline constexpr std::size_t kMostSummed = 100;
 

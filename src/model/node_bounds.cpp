@@ -1,9 +1,7 @@
 #include "model/node_bounds.hpp"
 
 #include "model/bound_fit.hpp"
-#include "model/check_node_bounds.hpp"
-#include "model/displacement_fit.hpp"
-#include "model/dual_fit.hpp"
+#include "model/check_tree.hpp"
 #include "model/node_box.hpp"
 
 #include <algorithm>

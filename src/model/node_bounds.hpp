@@ -85,7 +85,7 @@
 /// [fl(low - c), fl(high + c)]. The widened box needs no further margin.
 ///
 /// Nothing overflows: M is at most kMaxExtent, joint boxes reach a few M, and an affine bound that
-/// could reach too far is rejected (stays_finite in check_node_bounds.hpp). M is at least 2^-100
+/// could reach too far is rejected (stays_finite in check_tree.hpp). M is at least 2^-100
 /// times the rest extent, so products of matrices that underflow (by 2^-150 each) are negligible
 /// beside u M. Underflow of translations and in the last steps is negligible beside 2^-120, which
 /// every margin includes.

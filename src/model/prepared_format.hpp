@@ -10,7 +10,7 @@
 /// machines that run Pelt today. A file in the other order is rejected and must be prepared again;
 /// this is simpler than byte swapping code that no available machine could test.
 
-#include "base/checksum.hpp"
+#include "base/hash.hpp"
 #include "model/model.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "base/float8.hpp"
 #include "model/node_bounds.hpp"
-#include "model/pool_morphs.hpp"
+#include "model/tree.hpp"
 #include "skin/palette.hpp"
 
 namespace pelt::detail {

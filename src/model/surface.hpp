@@ -19,7 +19,7 @@ struct Surface {
   std::vector<std::uint32_t> components;  // one triangle of each connected component
   bool is_closed = false;
 
-  // Made by the first query that needs it (volume/winding_spread.hpp).
+  // Made by the first query that needs it (volume/surface_winding.hpp).
   mutable std::once_flag spread_is_made;
   mutable std::shared_ptr<const WindingSpread> spread;
 };

@@ -1,12 +1,11 @@
 #include "model/tree_build.hpp"
 
 #include "base/assert.hpp"
+#include "model/bound_fit.hpp"
 #include "model/clusters.hpp"
-#include "model/joint_links.hpp"
 #include "model/triangle_places.hpp"
 #include "model/triangles_below.hpp"
 #include "model/weld.hpp"
-#include "model/welded_vertices.hpp"
 #include "model/wide_nodes.hpp"
 
 #include <algorithm>

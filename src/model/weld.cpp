@@ -1,5 +1,4 @@
 #include "model/weld.hpp"
-
 #include "base/bits.hpp"
 
 #include <algorithm>
@@ -79,6 +78,15 @@ std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh) {
 
 std::vector<std::uint32_t> weld_surface(const SkinnedMesh& mesh) {
   return weld(mesh, Zeros::agree, compare_displacements);
+}
+
+void index_welded_vertices(Tree& tree) {
+  tree.welded_vertices.clear();
+  for (std::uint32_t v = 0; v < tree.vertex_count(); ++v) {
+    const std::uint32_t into = tree.place_vertices[tree.vertex_places[v]];
+    if (into != v) tree.welded_vertices.push_back({v, into});
+  }
+  tree.welded_vertices.shrink_to_fit();
 }
 
 }  // namespace pelt::detail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/tree.hpp"
 #include "skin/skinned_mesh.hpp"
 
 #include <cstdint>
@@ -16,5 +17,8 @@ std::vector<std::uint32_t> weld_vertices(const SkinnedMesh& mesh);
 /// vertices where weights change, and write -0.0 on one side of a plane of symmetry; the surface of
 /// the character is connected there.
 std::vector<std::uint32_t> weld_surface(const SkinnedMesh& mesh);
+
+/// Computes Tree::welded_vertices. Precondition: the places and the caller's vertices are in range.
+void index_welded_vertices(Tree& tree);
 
 }  // namespace pelt::detail

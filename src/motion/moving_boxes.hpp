@@ -13,7 +13,7 @@
 /// quotient has at most four relative errors of 2^-24; the factors 1 -+ 2^-21 cover them and their
 /// own, and 2^-100 covers underflow.
 
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

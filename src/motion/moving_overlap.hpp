@@ -4,7 +4,7 @@
 
 #include "motion/moving_boxes.hpp"
 #include "motion/moving_tree.hpp"
-#include "query/box_overlap.hpp"
+#include "query/pair_descent.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

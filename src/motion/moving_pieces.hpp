@@ -21,7 +21,7 @@
 ///
 /// Nothing underflows or overflows: differences of floats are multiples of 2^-149 below 2^62.
 
-#include "base/double16.hpp"
+#include "base/double4.hpp"
 #include "base/vec3.hpp"
 #include "motion/moving_determinants.hpp"
 

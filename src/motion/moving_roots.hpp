@@ -4,7 +4,7 @@
 
 #include "motion/moving_boxes.hpp"
 #include "motion/moving_tree.hpp"
-#include "pose/root_box.hpp"
+#include "pose/pose_boxes.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

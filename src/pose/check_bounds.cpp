@@ -2,7 +2,7 @@
 
 #include "base/problem.hpp"
 #include "model/unpack.hpp"
-#include "pose/all_bounds.hpp"
+#include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "skin/skin.hpp"
 

@@ -1,10 +1,8 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "pose/all_bounds.hpp"
 #include "pose/open_node.hpp"
-#include "pose/refit_given.hpp"
-#include "pose/root_box.hpp"
+#include "pose/pose_boxes.hpp"
 
 namespace pelt::detail {
 

@@ -1,6 +1,6 @@
 #include "pose/given_vertices.hpp"
 
-#include "pose/refit_given.hpp"
+#include "pose/pose_boxes.hpp"
 #include "skin/skinned_mesh.hpp"
 
 #include <cmath>

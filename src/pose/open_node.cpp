@@ -1,10 +1,6 @@
 #include "pose/open_node.hpp"
-
 #include "model/node_box.hpp"
-#include "pose/dual_pool.hpp"
-#include "pose/morph_pool.hpp"
-#include "pose/morphed_rest.hpp"
-#include "pose/vertex_arrays.hpp"
+#include "pose/pool_vertices.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
@@ -261,6 +257,18 @@ Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std:
     box = unite(box, {p, p});
   });
   return box;
+}
+
+QueryStats compute_all_bounds(const PosedTree& posed) {
+  QueryStats work;
+  root_box(posed, work);
+  for (std::uint32_t index = 0; index < posed.tree.nodes.size(); ++index) {
+    const OpenedNode& opened = open_node(posed, index, work);
+    const Node& node = posed.tree.nodes[index];
+    for (std::uint32_t slot = 0; slot < node.cluster_count; ++slot)
+      triangle_boxes(posed, node, opened, slot);
+  }
+  return work;
 }
 
 }  // namespace PELT_INSTRUCTION_SET

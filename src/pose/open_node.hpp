@@ -52,5 +52,9 @@ void pose_vertices(const Tree& tree, const Palette& palette, std::span<Vec3> out
 Box4 box_vertices(const Tree& tree, const Palette& palette, std::span<const std::uint32_t> at,
                   std::uint64_t& displacements);
 
+/// Computes every bound that a query could need: the root box, all nodes, and the boxes of all
+/// triangles. Returns the work. Precondition: the table of opened nodes exists.
+QueryStats compute_all_bounds(const PosedTree& posed);
+
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

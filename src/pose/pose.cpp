@@ -2,7 +2,7 @@
 
 #include "base/assert.hpp"
 #include "pose/open_node.hpp"
-#include "pose/refit_given.hpp"
+#include "pose/pose_boxes.hpp"
 #include "skin/skin.hpp"
 
 #include <utility>

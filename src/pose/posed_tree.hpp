@@ -10,7 +10,7 @@
 #include "model/tree.hpp"
 #include "pose/given_vertices.hpp"
 #include "pose/opened_node.hpp"
-#include "pose/root_box.hpp"
+#include "pose/pose_boxes.hpp"
 #include "skin/palette.hpp"
 
 #include <cstddef>

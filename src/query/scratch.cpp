@@ -4,10 +4,58 @@
 /// the first: one to a child, and one from there with the same node of the second tree. A step
 /// replaces a pair by at most as many pairs as the two nodes have slots.
 
-#include "query/scratch.hpp"
+#include <pelt/query.hpp>
 
 #include "model/clusters.hpp"
 #include "model/tree.hpp"
+#include "query/scratch.hpp"
+#include "query/stack.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace pelt {
+
+QueryStats& QueryStats::operator+=(const QueryStats& other) {
+  node_pairs += other.node_pairs;
+  refits += other.refits;
+  posed_vertices += other.posed_vertices;
+  triangle_pairs += other.triangle_pairs;
+  displacements += other.displacements;
+  clamped_offsets += other.clamped_offsets;
+  cut_short = cut_short || other.cut_short;
+  return *this;
+}
+
+std::uint64_t work_of(const QueryStats& stats) {
+  return kNodePairWork * stats.node_pairs + kRefitWork * stats.refits +
+         kPosedVertexWork * stats.posed_vertices + kTrianglePairWork * stats.triangle_pairs +
+         kDisplacementWork * stats.displacements;
+}
+
+}  // namespace pelt
+
+namespace pelt::detail {
+
+void StackMemory::grow(std::size_t item_bytes) {
+  reserve(std::max<std::size_t>(64, 2 * capacity_), item_bytes);
+}
+
+/// The product must not wrap around. No machine has kMax bytes, so `new` then throws.
+void StackMemory::reserve(std::size_t capacity, std::size_t item_bytes) {
+  constexpr std::size_t kMax = std::numeric_limits<std::ptrdiff_t>::max();
+  if (capacity <= capacity_) return;
+  const std::size_t size = capacity <= kMax / item_bytes ? capacity * item_bytes : kMax;
+  std::unique_ptr<std::byte[]> bytes(new std::byte[size]);
+  if (size_ > 0) std::memcpy(bytes.get(), bytes_.get(), size_ * item_bytes);
+  bytes_ = std::move(bytes);
+  capacity_ = capacity;
+}
+
+}  // namespace pelt::detail
 
 namespace pelt {
 namespace {

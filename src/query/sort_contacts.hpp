@@ -1,7 +1,9 @@
 #pragma once
 
 #include "query/scratch.hpp"
+#include "query/stack.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace pelt::detail {
@@ -16,5 +18,8 @@ void append_sorted(Scratch& scratch, std::vector<Contact>& contacts);
 
 /// Appends the contacts in `scratch.moving` to `contacts`, in ascending order of the triangles.
 void append_sorted(Scratch& scratch, std::vector<MovingContact>& contacts);
+
+/// Sorts numbers in ascending order. Overwrites `buffer`.
+void sort_numbers(Stack<std::uint32_t>& numbers, Stack<std::uint32_t>& buffer);
 
 }  // namespace pelt::detail

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_pair.hpp"
 #include "geometry/triangle_triage.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 
 #include <cstdint>
 

@@ -7,7 +7,7 @@
 #include "geometry/ray_triangle.hpp"
 #include "model/clusters.hpp"
 #include "pose/open_node.hpp"
-#include "query/access.hpp"
+#include "query/answers.hpp"
 #include "query/slots.hpp"
 #include "ray/ray_slabs.hpp"
 #include "ray/ray_triage.hpp"

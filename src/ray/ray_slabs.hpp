@@ -19,8 +19,8 @@
 #include <pelt/ray.hpp>
 
 #include "pose/opened_node.hpp"
-#include "pose/root_box.hpp"
-#include "query/lanes.hpp"
+#include "pose/pose_boxes.hpp"
+#include "query/slots.hpp"
 
 #include <cmath>
 #include <cstdint>

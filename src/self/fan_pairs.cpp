@@ -1,7 +1,7 @@
 #include "self/fan_pairs.hpp"
 
 #include "query/find_triangle.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 #include "query/triangle_batch.hpp"
 #include "self/neighbour_pair.hpp"
 

@@ -32,7 +32,7 @@
 #include "self/flat_fans.hpp"
 
 #include "geometry/points8.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 #include "query/triangle_batch.hpp"
 
 #include <algorithm>

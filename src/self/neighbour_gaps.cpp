@@ -1,7 +1,7 @@
 #include "self/neighbour_gaps.hpp"
 
 #include "pose/open_node.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 #include "query/triangle_batch.hpp"
 #include "self/triangle_separation.hpp"
 

@@ -3,9 +3,9 @@
 
 #include "base/require.hpp"
 #include "pose/pose.hpp"
+#include "query/answers.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
-#include "query/yes_or_no.hpp"
 #include "self/self_filter.hpp"
 #include "self/self_tree.hpp"
 

@@ -2,8 +2,7 @@
 
 #include "base/dispatch.hpp"
 #include "skin/joint_link.hpp"
-#include "skin/palette_scan.hpp"
-#include "skin/rigid_motions.hpp"
+#include "skin/palette_lanes.hpp"
 
 namespace pelt::detail {
 

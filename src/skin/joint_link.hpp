@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/instruction_set.hpp"
-#include "skin/dual_quaternion.hpp"
+#include "skin/dual_skin.hpp"
 
 #include <cstdint>
 #include <span>

@@ -20,7 +20,7 @@
 /// added for underflow.
 
 #include "base/float8.hpp"
-#include "query/lanes.hpp"
+#include "query/slots.hpp"
 #include "solid/prepared_region.hpp"
 
 #include <cstddef>

@@ -3,10 +3,9 @@
 #include "base/assert.hpp"
 #include "base/require.hpp"
 #include "pose/pose.hpp"
-#include "query/reserve_more.hpp"
+#include "query/answers.hpp"
 #include "query/scratch.hpp"
-#include "query/sort_numbers.hpp"
-#include "query/yes_or_no.hpp"
+#include "query/sort_contacts.hpp"
 #include "solid/prepared_region.hpp"
 #include "solid/region_descent.hpp"
 

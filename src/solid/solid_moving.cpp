@@ -2,10 +2,9 @@
 
 #include "motion/steps.hpp"
 #include "pose/pose.hpp"
-#include "query/reserve_more.hpp"
+#include "query/answers.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
-#include "query/yes_or_no.hpp"
 #include "solid/moving_descent.hpp"
 #include "solid/prepared_region.hpp"
 

@@ -24,6 +24,10 @@
 
 namespace pelt::detail {
 
+/// Returns where an edge crosses the plane of a triangle: 0 at `from`, 1 at `to`. Precondition:
+/// `from` and `to` are on different sides of the plane, or one of them is on it.
+Rounded share_before_plane(const Vec3& from, const Vec3& to, const TriangleCorners& plane);
+
 /// Where an edge of one triangle pierces the other triangle. Edge i leads from corner i to the next
 /// corner.
 struct Piercing {

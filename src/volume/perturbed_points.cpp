@@ -2,7 +2,7 @@
 
 #include "base/assert.hpp"
 #include "exact/predicates.hpp"
-#include "volume/edge_share.hpp"
+#include "volume/generic_crossing.hpp"
 
 #include <algorithm>
 #include <cmath>

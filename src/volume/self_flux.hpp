@@ -3,7 +3,7 @@
 #include "exact/exact_number.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
-#include "volume/winding_spread.hpp"
+#include "volume/surface_winding.hpp"
 
 namespace pelt::detail {
 

@@ -9,9 +9,8 @@
 #include "query/find_triangle.hpp"
 #include "query/sort_contacts.hpp"
 #include "self/fans.hpp"
-#include "volume/crossing_flux.hpp"
+#include "volume/intersection_flux.hpp"
 #include "volume/self_flux.hpp"
-#include "volume/winding_flux.hpp"
 
 #include <algorithm>
 #include <limits>

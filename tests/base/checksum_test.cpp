@@ -1,4 +1,4 @@
-#include "base/checksum.hpp"
+#include "base/hash.hpp"
 
 #include "support/random.hpp"
 

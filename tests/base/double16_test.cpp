@@ -1,4 +1,4 @@
-#include "base/double16.hpp"
+#include "base/double4.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
 #include "base/workers.hpp"
 
-#include "base/work_shares.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>

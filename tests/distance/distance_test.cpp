@@ -1,7 +1,7 @@
 #include <pelt/distance.hpp>
 
 #include "brute_distance.hpp"
-#include "query/access.hpp"
+#include "query/answers.hpp"
 #include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@ import sys
 
 LIBRARY = ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin", "src/model", "src/pose",
            "src/query", "src/motion", "src/collide", "src/self", "src/bounds", "src/ray", "src/distance",
-           "src/farthest", "src/field", "src/solid", "src/contact", "src/inside", "src/volume", "src/crowd"]
+           "src/field", "src/solid", "src/contact", "src/inside", "src/volume", "src/crowd"]
 FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings",
           *("tools/pelt/" + f for f in ("output", "arguments", "methods", "scene", "query", "bench",
                                         "picture", "prepared", "page", "check", "list", "shard",

@@ -1,7 +1,7 @@
 /// Node boxes of models with dual quaternion skinning enclose every posed vertex, for each
 /// instruction set.
 
-#include "model/dual_bounds.hpp"
+#include "model/node_bounds.hpp"
 
 #include "bounded.hpp"
 #include "model/model.hpp"

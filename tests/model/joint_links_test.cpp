@@ -1,4 +1,4 @@
-#include "model/joint_links.hpp"
+#include "model/bound_fit.hpp"
 
 #include "model/model.hpp"
 #include "support/dual_shapes.hpp"

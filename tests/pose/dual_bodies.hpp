@@ -4,7 +4,7 @@
 /// with morph targets and with offsets.
 
 #include "skin/palette.hpp"
-#include "skin/rigid_motions.hpp"
+#include "skin/palette_lanes.hpp"
 #include "support/dual_shapes.hpp"
 #include "support/random_offsets.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "pose/open_node.hpp"
 #include "model/unpack.hpp"
-#include "pose/all_bounds.hpp"
 #include "pose/pose.hpp"
+#include "pose/pose_boxes.hpp"
 #include "skin/skin.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"

@@ -3,7 +3,6 @@
 #include "query/pair_descent.hpp"
 
 #include "pose/pose.hpp"
-#include "query/box_overlap.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "query/sort_numbers.hpp"
+#include "query/sort_contacts.hpp"
 
 #include "query/scratch.hpp"
 #include "support/random.hpp"

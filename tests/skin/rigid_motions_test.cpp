@@ -1,4 +1,4 @@
-#include "skin/rigid_motions.hpp"
+#include "skin/palette_lanes.hpp"
 
 #include <pelt/instruction_set.hpp>
 

@@ -5,7 +5,6 @@
 
 #include <pelt/crowd.hpp>
 
-#include "base/work_shares.hpp"
 #include "base/workers.hpp"
 #include "tools/pelt/methods/method.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
