@@ -1,4 +1,4 @@
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include "asset/container.hpp"
 #include "asset/file_bytes.hpp"

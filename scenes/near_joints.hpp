@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pelt/asset.hpp>
-#include <pelt/near_joints.hpp>
+#include <pelt/self_filter.hpp>
 
 #include <cstdint>
 #include <span>

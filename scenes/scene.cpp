@@ -1,6 +1,6 @@
 #include "scenes/scene.hpp"
 
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include "asset/affine.hpp"
 #include "asset/file_bytes.hpp"

@@ -6,7 +6,6 @@
 #include "evaluation/pictures/pictures.hpp"
 
 #include <pelt/bounds.hpp>
-#include <pelt/vertex_groups.hpp>
 
 namespace pelt::pictures {
 namespace {

@@ -5,7 +5,7 @@
 #include "evaluation/pictures/pictures.hpp"
 
 #include <pelt/collide.hpp>
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 namespace pelt::pictures {
 namespace {

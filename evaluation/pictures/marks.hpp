@@ -2,7 +2,7 @@
 
 /// Marks that the pictures of queries draw beside the characters.
 
-#include <pelt/shapes.hpp>
+#include <pelt/math.hpp>
 
 #include "base/vec3.hpp"
 #include "evaluation/pictures/cast.hpp"

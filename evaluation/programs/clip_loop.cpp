@@ -7,7 +7,7 @@
 /// milliseconds of each run, and the number of contacts.
 
 #include <pelt/collide.hpp>
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include <chrono>
 #include <cstdio>

@@ -13,7 +13,7 @@
 #include "tools/pelt/scene/colliders.hpp"
 #include "tools/pelt/scene/palettes.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include <CLI/CLI.hpp>
 

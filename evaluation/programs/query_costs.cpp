@@ -14,7 +14,6 @@
 #include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/inside.hpp>
-#include <pelt/volume.hpp>
 
 #include <CLI/CLI.hpp>
 

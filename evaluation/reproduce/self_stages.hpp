@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pelt/result.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "evaluation/reproduce/experiment.hpp"
 #include "scenes/scene.hpp"

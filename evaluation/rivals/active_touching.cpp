@@ -1,6 +1,6 @@
 #include "evaluation/rivals/touching.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 namespace pelt::rivals {
 

@@ -1,6 +1,6 @@
 #include "evaluation/rivals/tree_stages.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 namespace pelt::rivals {
 

@@ -5,13 +5,12 @@
 /// The same file gives the same bits on every platform, because everything is computed with
 /// + - * / and square roots in a fixed order. Sines are polynomials.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
-#include <pelt/export.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
-#include <pelt/near_joints.hpp>
 #include <pelt/result.hpp>
+#include <pelt/self_filter.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
-#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 

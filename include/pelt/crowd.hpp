@@ -1,12 +1,11 @@
 #pragma once
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/collide.hpp>
-#include <pelt/export.hpp>
 #include <pelt/motion.hpp>
 #include <pelt/search.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include <compare>
 #include <cstdint>

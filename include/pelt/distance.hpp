@@ -24,10 +24,9 @@
 /// Source: branch and bound after Quinlan, "Efficient distance computation between non-convex
 /// objects", 1994. Computing boxes on demand is section 4.2 of Kavan & Zara 2005.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/collide.hpp>
-#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 

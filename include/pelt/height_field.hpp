@@ -2,11 +2,10 @@
 
 /// Terrain: a grid of heights, for `collide`, `collide_moving`, `distance` and rays.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/collide.hpp>
 #include <pelt/distance.hpp>
-#include <pelt/export.hpp>
 #include <pelt/motion.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/math.hpp>
 

@@ -3,10 +3,9 @@
 /// Continuous collision detection: which triangles intersect at any time of a step from one pose to
 /// the next, and when first.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/collide.hpp>
-#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 

@@ -11,22 +11,20 @@
 /// on demand. A node of a pose stays open for later queries until the joint palette, the morph
 /// weights, the offsets or the given vertices change.
 ///
-/// Queries are declared in these headers:
+/// Read these six headers first: math, mesh, model, pose, query, collide. The other headers can be
+/// read when they are needed:
 ///
-///     one or two poses              bounds, collide, contact, distance, inside, search, volume
-///     two poses in motion           motion, first_contact_search
-///     a pose and itself             self_collide, self_tracker, contact
-///     a pose in motion and itself   self_motion
+///     a pose and another pose       collide, distance, inside, surface
+///     a pose and itself             self, self_filter, surface, inside
+///     a pose alone                  bounds, inside
 ///     a pose and a point            distance, inside
-///     a pose and a direction        farthest
 ///     a pose and a ray              ray
 ///     a pose and a region or solid  solid
-///     a solid and a ray             solid
 ///     a pose and a height field     height_field
-///     a pose in motion and a region or height field   solid, height_field
-///     a height field and a ray      height_field
-///     a pose and vertex groups      vertex_groups
-///     a crowd                       crowd
+///     a step from pose to pose      motion, self, solid, height_field
+///     a query in slices of work     search
+///     many instances                crowd
+///     glTF files                    asset
 ///
 /// Failure: functions that validate outside input return a `Result`, which contains an error if the
 /// input is invalid. If memory runs out, functions throw std::bad_alloc or, on 32-bit platforms,
@@ -41,37 +39,27 @@
 /// Preconditions: if a comment says that the program aborts, every build checks the precondition.
 /// Builds without NDEBUG check further preconditions and abort if one is violated.
 ///
-/// This header includes all headers of the library except two. pelt/asset.hpp reads glTF files and
-/// needs the asset library. pelt/instruction_set.hpp is for measurements and tests.
+/// This header includes all headers except pelt/asset.hpp, which needs the asset library.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/bounds.hpp>
-#include <pelt/check.hpp>
 #include <pelt/collide.hpp>
-#include <pelt/contact.hpp>
 #include <pelt/crowd.hpp>
 #include <pelt/distance.hpp>
-#include <pelt/farthest.hpp>
-#include <pelt/first_contact_search.hpp>
 #include <pelt/height_field.hpp>
 #include <pelt/inside.hpp>
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/model.hpp>
 #include <pelt/motion.hpp>
-#include <pelt/near_joints.hpp>
 #include <pelt/pose.hpp>
-#include <pelt/prepared.hpp>
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
 #include <pelt/result.hpp>
 #include <pelt/search.hpp>
-#include <pelt/self_collide.hpp>
-#include <pelt/self_motion.hpp>
-#include <pelt/self_tracker.hpp>
-#include <pelt/shapes.hpp>
+#include <pelt/self.hpp>
+#include <pelt/self_filter.hpp>
 #include <pelt/solid.hpp>
+#include <pelt/surface.hpp>
 #include <pelt/version.hpp>
-#include <pelt/vertex_groups.hpp>
-#include <pelt/volume.hpp>

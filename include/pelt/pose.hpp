@@ -1,13 +1,13 @@
 #pragma once
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
-#include <pelt/export.hpp>
 #include <pelt/model.hpp>
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace pelt {
 
@@ -170,5 +170,16 @@ PELT_API void posed_vertices(const Pose& pose, std::span<Vec3> out);
 ///
 /// Cost: O(V). Allocates nothing.
 PELT_API std::uint32_t check_offsets(const Pose& pose);
+
+/// Checks that the bounds of a pose enclose its posed vertices (see `posed_vertices`), for use in
+/// tests. First checks the bounds that earlier queries have stored in `pose`, and then all bounds
+/// that a query could compute. Leaves `pose` unchanged.
+///
+/// Returns an empty string if every bound encloses its vertices. Otherwise returns a message about
+/// the first violation, with the node, the bound, and how far a vertex is outside the bound. A
+/// violation is a bug in Pelt.
+///
+/// Cost: O(T + V). Allocates.
+PELT_API std::string check_bounds(const Pose& pose);
 
 }  // namespace pelt

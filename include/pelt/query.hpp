@@ -11,9 +11,7 @@
 /// scratch or in the caller's vectors than any earlier query. A query without a `Scratch` allocates
 /// at most in the pose and in the vectors to which it appends. `Crowd` has its own memory.
 
-#include <pelt/cxx20.hpp>
-
-#include <pelt/export.hpp>
+#include <pelt/config.hpp>
 
 #include <array>
 #include <cstddef>
@@ -52,22 +50,8 @@ struct QueryStats {
   PELT_API QueryStats& operator+=(const QueryStats& other);
 };
 
-/// Units of work per count of QueryStats, and per pair of clusters (up to 16 triangles each) of a
-/// `CollisionSearch`. These numbers never change, because budgets and partial answers depend on
-/// them.
-inline constexpr std::uint64_t kNodePairWork = 8, kRefitWork = 5, kPosedVertexWork = 2,
-                               kTrianglePairWork = 1, kDisplacementWork = 2, kClusterPairWork = 8;
-
-/// Units of work of a `FirstContactSearch`: per pair of nodes and per pair of clusters that move,
-/// and per pair of triangles tested in float, in double and in exact arithmetic. A pair that is
-/// tested in several ways counts in each. To order two pairs whose times may be equal takes two
-/// exact tests. These numbers never change, either.
-inline constexpr std::uint64_t kMovingNodePairWork = 24, kMovingClusterPairWork = 24,
-                               kMovingTrianglePairWork = 28, kDoublePairWork = 500,
-                               kExactPairWork = 24'000;
-
 /// The work of a query in units of about one test of two triangles: the counts of QueryStats,
-/// multiplied by the first five constants above.
+/// multiplied by the constants of pelt/search.hpp.
 PELT_API std::uint64_t work_of(const QueryStats& stats);
 
 /// A yes-or-no answer, with the work of the query:

@@ -11,9 +11,8 @@
 ///
 /// Answers have the same bits on every machine and do not depend on earlier queries.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
-#include <pelt/export.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 

@@ -7,15 +7,14 @@
 ///
 /// `Region` and `Solid` are two types because distances and rays do not support a ConvexPolyhedron.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/distance.hpp>
-#include <pelt/export.hpp>
+#include <pelt/math.hpp>
 #include <pelt/motion.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 #include <pelt/ray.hpp>
-#include <pelt/shapes.hpp>
 
 #include <cstdint>
 #include <limits>

@@ -13,7 +13,7 @@
 ///
 /// A build with one instruction set, such as WebAssembly, calls the only version directly.
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "base/instruction_set.hpp"
 

@@ -1,4 +1,4 @@
-#include <pelt/farthest.hpp>
+#include <pelt/bounds.hpp>
 
 #include "base/require.hpp"
 #include "base/vec3.hpp"

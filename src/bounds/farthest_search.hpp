@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/farthest.hpp>
+#include <pelt/bounds.hpp>
 
 #include "base/instruction_set.hpp"
 #include "pose/posed_tree.hpp"

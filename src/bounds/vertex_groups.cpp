@@ -1,6 +1,6 @@
 #include "bounds/vertex_groups.hpp"
 
-#include <pelt/vertex_groups.hpp>
+#include <pelt/bounds.hpp>
 
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/vertex_groups.hpp>
+#include <pelt/bounds.hpp>
 
 #include "model/node_bounds.hpp"
 

@@ -1,4 +1,4 @@
-#include <pelt/first_contact_search.hpp>
+#include <pelt/search.hpp>
 
 #include "base/assert.hpp"
 #include "collide/first_contact_steps.hpp"

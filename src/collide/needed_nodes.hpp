@@ -3,6 +3,8 @@
 /// The nodes that a search has needed. A node counts as work when the search needs it first,
 /// whether another query has opened it or not, so partial answers do not depend on other queries.
 
+#include <pelt/search.hpp>
+
 #include "pose/pool_vertices.hpp"
 #include "pose/posed_tree.hpp"
 

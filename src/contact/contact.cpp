@@ -1,4 +1,4 @@
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "base/assert.hpp"
 #include "base/require.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include "base/problem.hpp"
 #include "model/check_tree.hpp"

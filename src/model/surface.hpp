@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include <memory>
 #include <mutex>

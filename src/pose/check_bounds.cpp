@@ -1,4 +1,4 @@
-#include <pelt/check.hpp>
+#include <pelt/pose.hpp>
 
 #include "base/problem.hpp"
 #include "model/unpack.hpp"

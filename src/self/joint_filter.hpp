@@ -2,7 +2,7 @@
 
 /// The filter of pairs of triangles by their main joints and zones.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "self/pair_set.hpp"
 

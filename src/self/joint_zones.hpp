@@ -2,7 +2,7 @@
 
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include <compare>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/near_joints.hpp>
+#include <pelt/self_filter.hpp>
 
 #include <cstdint>
 #include <span>

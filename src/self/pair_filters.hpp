@@ -2,7 +2,7 @@
 
 /// The filters of self-collision: which pairs of triangles are left out of the answer.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "query/stack.hpp"
 #include "self/fans.hpp"

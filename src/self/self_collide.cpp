@@ -1,5 +1,4 @@
-#include <pelt/self_collide.hpp>
-#include <pelt/self_tracker.hpp>
+#include <pelt/self.hpp>
 
 #include "base/require.hpp"
 #include "pose/pose.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 
 #include "base/require.hpp"
 #include "motion/steps.hpp"

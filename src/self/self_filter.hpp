@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pelt/motion.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "model/model.hpp"
 #include "self/fans.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 
 #include "motion/moving_tree.hpp"
 #include "self/self_filter.hpp"

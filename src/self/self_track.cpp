@@ -1,6 +1,6 @@
 #include "self/self_track.hpp"
 
-#include <pelt/self_tracker.hpp>
+#include <pelt/self.hpp>
 
 #include "base/bytes_held.hpp"
 

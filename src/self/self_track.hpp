@@ -33,7 +33,7 @@
 /// less than the slack (sqrt(L^2 + d) - L) / 2. Until then the fan remains certified. In further
 /// frames, motions add.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include "self/self_filter.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/shapes.hpp>
+#include <pelt/math.hpp>
 
 #include "geometry/triangle_pair.hpp"
 #include "solid/faces_triangle.hpp"

@@ -2,7 +2,7 @@
 
 /// Exact test of a triangle against a convex polyhedron, given by its faces.
 
-#include <pelt/shapes.hpp>
+#include <pelt/math.hpp>
 
 #include "geometry/triangle_pair.hpp"
 

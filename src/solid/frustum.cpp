@@ -1,4 +1,4 @@
-#include <pelt/shapes.hpp>
+#include <pelt/math.hpp>
 
 #include "base/require.hpp"
 

@@ -42,7 +42,7 @@ struct SpreadingStep {
   bool is_first() const { return triangle == from; }
 };
 
-static_assert(sizeof(SpreadingStep) == 12, "stated in pelt/volume.hpp, with those of the filter");
+static_assert(sizeof(SpreadingStep) == 12, "stated in pelt/inside.hpp, with those of the filter");
 
 struct WindingSpread {
   /// Precondition: the surface is closed.

@@ -1,4 +1,4 @@
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
 
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"

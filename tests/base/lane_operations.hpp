@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include <cstdint>
 

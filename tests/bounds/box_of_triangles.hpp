@@ -2,8 +2,8 @@
 
 /// The expected bounds, from all posed vertices.
 
+#include <pelt/math.hpp>
 #include <pelt/pose.hpp>
-#include <pelt/shapes.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include <pelt/farthest.hpp>
+#include <pelt/bounds.hpp>
 
 #include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"

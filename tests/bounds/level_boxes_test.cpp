@@ -1,7 +1,7 @@
 #include "bounds/level_boxes.hpp"
 
 #include <pelt/collide.hpp>
-#include <pelt/shapes.hpp>
+#include <pelt/math.hpp>
 
 #include "support/skinned_shapes.hpp"
 

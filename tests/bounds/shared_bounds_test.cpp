@@ -2,7 +2,6 @@
 
 #include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
-#include <pelt/vertex_groups.hpp>
 
 #include "bounds/box_of_triangles.hpp"
 #include "support/values.hpp"

@@ -1,5 +1,4 @@
 #include <pelt/bounds.hpp>
-#include <pelt/vertex_groups.hpp>
 
 #include "bounds/box_of_triangles.hpp"
 #include "support/allocation_count.hpp"

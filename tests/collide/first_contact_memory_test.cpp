@@ -1,6 +1,6 @@
 /// With reserved poses and search, nothing allocates, and few items are open.
 
-#include <pelt/first_contact_search.hpp>
+#include <pelt/search.hpp>
 
 #include "collide/moving_search_bodies.hpp"
 #include "collide/search_of_motions.hpp"

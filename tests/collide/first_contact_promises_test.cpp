@@ -1,6 +1,6 @@
 /// What a search for the first contact promises after any amount of work, against brute force.
 
-#include <pelt/first_contact_search.hpp>
+#include <pelt/search.hpp>
 
 #include "collide/moving_search_bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include <pelt/first_contact_search.hpp>
+#include <pelt/search.hpp>
 
 #include "collide/moving_search_bodies.hpp"
 

@@ -1,7 +1,7 @@
 /// The state of a search for the first contact depends on the work done, and not on slices,
 /// instruction sets, compilers or other queries.
 
-#include <pelt/first_contact_search.hpp>
+#include <pelt/search.hpp>
 
 #include "base/bits.hpp"
 #include "base/hash.hpp"

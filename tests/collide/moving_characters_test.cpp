@@ -2,7 +2,7 @@
 /// triangles.
 
 #include <pelt/asset.hpp>
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 
 #include "self/self_brute_force.hpp"
 #include "self/self_moving_brute_force.hpp"

@@ -1,7 +1,7 @@
 /// Moving contacts of generated characters, whose bits are the same everywhere: contacts, times and
 /// features. A hash here changes only if the characters or the definitions change.
 
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 
 #include "base/bits.hpp"
 #include "base/hash.hpp"

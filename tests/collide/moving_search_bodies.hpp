@@ -5,7 +5,7 @@
 #include "collide/moving_bodies.hpp"
 #include "collide/search_bodies.hpp"
 
-#include <pelt/first_contact_search.hpp>
+#include <pelt/search.hpp>
 
 #include <utility>
 #include <vector>

@@ -4,7 +4,7 @@
 /// order in which a compiler evaluates arguments. The bodies need no sines, which are not the same
 /// in all standard libraries.
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 #include <pelt/pelt.hpp>
 
 #include "base/hash.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "base/vec3.hpp"
 #include "support/allocation_count.hpp"

@@ -1,7 +1,7 @@
 /// Geometry of contacts of a pose with itself.
 
-#include <pelt/contact.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
+#include <pelt/surface.hpp>
 
 #include "contact/triangle_crossing.hpp"
 #include "support/allocation_count.hpp"

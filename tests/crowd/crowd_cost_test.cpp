@@ -1,4 +1,4 @@
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "crowd/test_crowd.hpp"
 #include "support/allocation_count.hpp"

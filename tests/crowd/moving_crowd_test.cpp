@@ -1,7 +1,7 @@
 /// A crowd in motion, against every pair of motions one by one.
 
-#include <pelt/instruction_set.hpp>
-#include <pelt/self_motion.hpp>
+#include <pelt/config.hpp>
+#include <pelt/self.hpp>
 
 #include "crowd/test_crowd.hpp"
 

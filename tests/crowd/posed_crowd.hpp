@@ -4,7 +4,7 @@
 
 #include "crowd/test_crowd.hpp"
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include <map>
 #include <span>

@@ -1,6 +1,6 @@
 /// Instances of a crowd against themselves.
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "crowd/test_crowd.hpp"
 #include "support/allocation_count.hpp"

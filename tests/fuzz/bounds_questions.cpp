@@ -5,9 +5,7 @@
 #include "support/values.hpp"
 
 #include <pelt/bounds.hpp>
-#include <pelt/check.hpp>
-#include <pelt/farthest.hpp>
-#include <pelt/vertex_groups.hpp>
+#include <pelt/pose.hpp>
 
 #include <gmpxx.h>
 

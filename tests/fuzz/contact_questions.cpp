@@ -5,7 +5,7 @@
 #include "support/exact_winding.hpp"
 #include "support/require.hpp"
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 
 #include "support/pinned_shapes.hpp"
 
-#include <pelt/contact.hpp>
 #include <pelt/pose.hpp>
+#include <pelt/surface.hpp>
 
 #include <array>
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 #include "fuzz/questions.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 namespace pelt::test {
 namespace {

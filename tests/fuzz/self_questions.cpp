@@ -4,7 +4,7 @@
 #include "self/self_brute_force.hpp"
 #include "support/require.hpp"
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include "motion/moving_filter.hpp"
 #include "support/require.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 #include <pelt/motion.hpp>
 #include <pelt/search.hpp>
 

@@ -2,7 +2,7 @@
 /// are on planes and edges of other triangles, which only exact arithmetic can decide.
 
 #include <pelt/collide.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include "exact/predicates.hpp"
 #include "self/self_brute_force.hpp"

@@ -3,7 +3,7 @@
 #include "model/node_bounds.hpp"
 #include "skin/palette.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 namespace pelt::test {
 

@@ -1,9 +1,9 @@
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include "support/prepared_file.hpp"
 #include "support/skinned_shapes.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 #include <pelt/pelt.hpp>
 
 #include <gtest/gtest.h>

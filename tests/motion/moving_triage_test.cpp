@@ -1,7 +1,7 @@
 /// The certified test of eight pairs of moving triangles against the exact one.
 #include "motion/moving_triage.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "base/hash.hpp"
 #include "motion/moving_pair.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/check.hpp>
+#include <pelt/pose.hpp>
 
 #include <pelt/collide.hpp>
 

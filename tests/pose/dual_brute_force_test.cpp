@@ -8,8 +8,8 @@
 #include "self/self_moving_brute_force.hpp"
 #include "support/instruction_sets.hpp"
 
-#include <pelt/first_contact_search.hpp>
 #include <pelt/pelt.hpp>
+#include <pelt/search.hpp>
 
 namespace pelt::test {
 namespace {

@@ -8,8 +8,8 @@
 #include "support/instruction_sets.hpp"
 
 #include <pelt/asset.hpp>
-#include <pelt/check.hpp>
-#include <pelt/self_tracker.hpp>
+#include <pelt/pose.hpp>
+#include <pelt/self.hpp>
 
 #include <gtest/gtest.h>
 

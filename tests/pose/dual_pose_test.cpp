@@ -9,10 +9,9 @@
 #include "support/instruction_sets.hpp"
 
 #include <pelt/bounds.hpp>
-#include <pelt/check.hpp>
 #include <pelt/collide.hpp>
-#include <pelt/prepared.hpp>
-#include <pelt/vertex_groups.hpp>
+#include <pelt/model.hpp>
+#include <pelt/pose.hpp>
 
 #include "geometry/triangle_pair.hpp"
 

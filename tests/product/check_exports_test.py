@@ -12,7 +12,7 @@ import unittest
 CHECKER, NM, COMPILER, INCLUDE = sys.argv[1:5]
 
 HEADER = """
-#include <pelt/export.hpp>
+#include <pelt/config.hpp>
 namespace pelt {
 namespace detail { struct State; }
 struct Options { int count = 1; double limits[2] = {0, 1}; };  // f(int);

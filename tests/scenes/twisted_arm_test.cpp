@@ -6,7 +6,6 @@
 #include "base/vec3.hpp"
 #include "scenes/creature.hpp"
 
-#include <pelt/check.hpp>
 #include <pelt/pose.hpp>
 
 #include <gtest/gtest.h>

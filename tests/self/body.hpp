@@ -2,7 +2,7 @@
 
 #include "self_brute_force.hpp"
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 namespace pelt::test {
 

@@ -1,4 +1,4 @@
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "support/random.hpp"
 

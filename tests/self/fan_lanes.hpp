@@ -2,7 +2,7 @@
 
 #include "self/flat_fans.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 /// The definition of the filters of self-collision, without regard to cost.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "model/surface.hpp"
 #include "self_brute_force.hpp"

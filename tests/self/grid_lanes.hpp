@@ -3,7 +3,7 @@
 #include "base/arena.hpp"
 #include "pose/posed_tree.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include <cstdint>
 

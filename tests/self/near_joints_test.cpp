@@ -1,5 +1,5 @@
 #include <pelt/asset.hpp>
-#include <pelt/near_joints.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "scenes/creature.hpp"
 #include "scenes/near_joints.hpp"

@@ -5,7 +5,7 @@
 #include "self/neighbour_pair.hpp"
 #include "support/skinned_shapes.hpp"
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -8,7 +8,7 @@
 ///   here have no cracks.
 
 #include <pelt/asset.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "scenes/creature.hpp"
 #include "self_brute_force.hpp"

@@ -1,7 +1,7 @@
 /// Real characters in all their clips, compared with brute force over the posed vertices.
 
 #include <pelt/asset.hpp>
-#include <pelt/self_tracker.hpp>
+#include <pelt/self.hpp>
 
 #include "self_brute_force.hpp"
 

@@ -1,6 +1,6 @@
 /// A moving character against itself: against the exact tests of all pairs of its triangles.
 
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 
 #include "collide/moving_bodies.hpp"
 #include "self/self_brute_force.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include "body.hpp"
 #include "support/allocation_count.hpp"

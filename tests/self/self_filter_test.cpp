@@ -1,4 +1,4 @@
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include "filter_definition.hpp"
 #include "self_brute_force.hpp"

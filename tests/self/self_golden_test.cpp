@@ -1,7 +1,7 @@
 /// Self-contacts of generated characters, whose bits are the same everywhere. A hash here changes
 /// only if the characters, the definition of a posed vertex, or that of self-contacts change.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include "base/hash.hpp"
 #include "scenes/creature.hpp"

@@ -1,6 +1,6 @@
 /// How answers must change when a mesh or its pose changes.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "self_brute_force.hpp"
 #include "support/instruction_sets.hpp"

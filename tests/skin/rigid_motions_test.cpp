@@ -1,6 +1,6 @@
 #include "skin/palette_lanes.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "base/vec3.hpp"
 #include "skin/palette.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/shapes.hpp>
+#include <pelt/math.hpp>
 #include <pelt/solid.hpp>
 
 #include "support/random.hpp"

@@ -7,7 +7,7 @@
 #include "tools/pelt/methods/brute_force.hpp"
 
 #include <pelt/collide.hpp>
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 #include <pelt/ray.hpp>
 
 #include <gtest/gtest.h>

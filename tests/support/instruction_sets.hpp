@@ -2,7 +2,7 @@
 
 /// Runs tests on every instruction set that this machine supports.
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include <gtest/gtest.h>
 

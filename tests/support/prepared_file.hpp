@@ -4,7 +4,7 @@
 
 #include "model/prepared_format.hpp"
 
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include <cstring>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "support/skinned_shapes.hpp"
 
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include <filesystem>
 #include <fstream>

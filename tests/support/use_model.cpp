@@ -2,8 +2,8 @@
 
 #include "support/require.hpp"
 
-#include <pelt/check.hpp>
 #include <pelt/pelt.hpp>
+#include <pelt/pose.hpp>
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 /// Volumes against rational numbers, on closed surfaces that are as degenerate as possible.
 
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
 
 #include "prism_volume.hpp"
 #include "support/instruction_sets.hpp"

@@ -1,8 +1,8 @@
 /// Volumes of real characters with themselves, against intersections with a copy.
 
 #include <pelt/asset.hpp>
-#include <pelt/self_collide.hpp>
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "self_volume_reference.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 /// Volumes of bodies with themselves, against intersections with a copy of the body: an independent
 /// path, which decides each triangle against its neighbours, too.
 
-#include <pelt/self_collide.hpp>
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
+#include <pelt/self.hpp>
 
 #include "self_volume_reference.hpp"
 #include "support/allocation_count.hpp"

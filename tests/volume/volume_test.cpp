@@ -1,4 +1,4 @@
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
 
 #include "pose/pose.hpp"
 #include "prism_volume.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "bindings/python/engine/bindings.hpp"
 #include "bindings/python/engine/clip_poses.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include <pybind11/pybind11.h>
 

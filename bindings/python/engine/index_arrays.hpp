@@ -2,7 +2,7 @@
 
 /// Lists of indices in arguments.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "bindings/python/engine/array_view.hpp"
 

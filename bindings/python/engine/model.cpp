@@ -1,5 +1,4 @@
 #include <pelt/model.hpp>
-#include <pelt/prepared.hpp>
 
 #include "bindings/python/engine/array_view.hpp"
 #include "bindings/python/engine/bindings.hpp"

@@ -1,4 +1,4 @@
-#include <pelt/near_joints.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "bindings/python/engine/bindings.hpp"
 #include "bindings/python/engine/index_arrays.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pelt/contact.hpp>
 #include <pelt/model.hpp>
+#include <pelt/surface.hpp>
 
 #include <memory>
 #include <mutex>

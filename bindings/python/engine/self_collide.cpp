@@ -1,5 +1,4 @@
-#include <pelt/self_collide.hpp>
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 
 #include "bindings/python/engine/bindings.hpp"
 #include "bindings/python/engine/clip_poses.hpp"

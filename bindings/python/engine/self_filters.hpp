@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "bindings/python/engine/clip_poses.hpp"
 

@@ -1,4 +1,4 @@
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
 
 #include "bindings/python/engine/bindings.hpp"
 #include "bindings/python/engine/clip_poses.hpp"

@@ -6,8 +6,7 @@
 #include <pelt/math.hpp>
 #include <pelt/query.hpp>
 #include <pelt/result.hpp>
-#include <pelt/self_collide.hpp>
-#include <pelt/shapes.hpp>
+#include <pelt/self_filter.hpp>
 
 #include <nlohmann/json_fwd.hpp>
 

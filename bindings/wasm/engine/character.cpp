@@ -1,7 +1,7 @@
 /// Characters: read, generated, described.
 
 #include <pelt/bounds.hpp>
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include "asset/message.hpp"
 #include "bindings/wasm/engine/answer.hpp"

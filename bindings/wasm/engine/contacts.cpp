@@ -1,6 +1,6 @@
 /// The geometry of contacts, in arrays that JavaScript reads one by one.
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"

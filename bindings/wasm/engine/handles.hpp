@@ -2,9 +2,9 @@
 
 /// Objects that JavaScript refers to by address.
 
-#include <pelt/contact.hpp>
 #include <pelt/pose.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
+#include <pelt/surface.hpp>
 
 #include "pose/eager_pose.hpp"
 #include "scenes/scene.hpp"

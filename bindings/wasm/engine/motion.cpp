@@ -1,7 +1,7 @@
 /// Queries of steps from one pose to the next. Each motion is passed as two poses of one body.
 
 #include <pelt/motion.hpp>
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"

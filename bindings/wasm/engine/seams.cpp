@@ -1,6 +1,6 @@
 #include "bindings/wasm/engine/seams.hpp"
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "model/surface.hpp"
 

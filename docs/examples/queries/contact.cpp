@@ -1,4 +1,4 @@
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 // Where, in which direction and how far to push `a`, for each patch. Create the surfaces once.
 std::vector<pelt::ContactPatch> pushes(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,

@@ -1,4 +1,4 @@
-#include <pelt/first_contact_search.hpp>
+#include <pelt/search.hpp>
 
 // Called by a solver: a time, 0 to 1, before which a step is certainly free of contact. More work
 // gives a later time, up to the first contact.

@@ -1,4 +1,4 @@
-#include <pelt/self_motion.hpp>
+#include <pelt/self.hpp>
 #include <pelt/solid.hpp>
 
 // The first time, 0 to 1, at which a sword touches an arm on the way to the next frame; 2 if never.

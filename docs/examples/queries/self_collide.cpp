@@ -1,5 +1,5 @@
-#include <pelt/contact.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
+#include <pelt/surface.hpp>
 
 // A filter for what the animation adds: it leaves out triangles that share a vertex, and pairs that
 // already intersect at rest. Create it once. `rest` is in the rest pose.

@@ -1,4 +1,4 @@
-#include <pelt/self_tracker.hpp>
+#include <pelt/self.hpp>
 
 // For each frame, after `set_palette`.
 void find_self_contacts(pelt::Pose& pose, pelt::SelfTracker& tracker, pelt::Scratch& scratch,

@@ -1,4 +1,4 @@
-#include <pelt/volume.hpp>
+#include <pelt/inside.hpp>
 
 // The share of `a` that is inside `b`.
 double share_inside(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,

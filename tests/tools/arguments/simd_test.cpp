@@ -1,6 +1,6 @@
 /// --simd: other instructions, same answer and same work.
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"

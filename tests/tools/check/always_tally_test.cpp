@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include <algorithm>
 #include <array>

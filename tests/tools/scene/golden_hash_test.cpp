@@ -2,7 +2,7 @@
 /// they are available. The bits do not depend on the compiler, build type or instruction set. A
 /// hash here changes only if the scenes, the characters or the definition of a posed vertex change.
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "tools/answer.hpp"
 

@@ -1,6 +1,6 @@
 #include "tools/test_scenes.hpp"
 
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 namespace pelt::test {
 namespace {

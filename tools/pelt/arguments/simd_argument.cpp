@@ -1,6 +1,6 @@
 #include "tools/pelt/arguments/simd_argument.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include "asset/message.hpp"
 #include "tools/pelt/output/text.hpp"

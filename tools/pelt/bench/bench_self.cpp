@@ -1,6 +1,6 @@
 #include "tools/pelt/bench/bench_self.hpp"
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "tools/pelt/bench/stopwatch.hpp"
 

@@ -1,6 +1,6 @@
 #include "tools/pelt/bench/bench_sequence.hpp"
 
-#include <pelt/self_tracker.hpp>
+#include <pelt/self.hpp>
 
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"

@@ -1,6 +1,6 @@
 #include "tools/pelt/bench/machine.hpp"
 
-#include <pelt/instruction_set.hpp>
+#include <pelt/config.hpp>
 
 #include <sys/utsname.h>
 #include <unistd.h>

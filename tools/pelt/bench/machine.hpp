@@ -7,7 +7,7 @@ namespace pelt::tools::bench {
 /// Machine and build of a measurement.
 struct Machine {
   std::string cpu, compiler, build;
-  std::string instruction_set;  ///< of queries, see pelt/instruction_set.hpp
+  std::string instruction_set;  ///< of queries, see pelt/config.hpp
   unsigned cores = 0;
   std::string flags;   ///< compiler flags
   std::string system;  ///< operating system and release; may be empty

@@ -2,7 +2,7 @@
 
 /// The geometry of the contacts of one frame, for `pelt check --contacts`.
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/scene_query.hpp"

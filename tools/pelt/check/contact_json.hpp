@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "tools/pelt/scene/staged_scene.hpp"
 

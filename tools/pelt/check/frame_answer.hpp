@@ -4,7 +4,7 @@
 /// can be queried in any order, on any thread and in any process.
 
 #include <pelt/query.hpp>
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "tools/pelt/check/between_query.hpp"
 #include "tools/pelt/check/budget_query.hpp"

@@ -2,7 +2,7 @@
 
 /// Output of `pelt check --jsonl`: a header, a line per frame, the totals.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/check/between_check.hpp"

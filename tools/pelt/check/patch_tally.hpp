@@ -3,7 +3,7 @@
 /// The longest patches of all frames, for each pair of joints. The length of an intersection does
 /// not depend on the size of the triangles, unlike the depths of contacts.
 
-#include <pelt/contact.hpp>
+#include <pelt/surface.hpp>
 
 #include "tools/pelt/check/contact_details.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"

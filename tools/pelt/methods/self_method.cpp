@@ -1,4 +1,4 @@
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include "base/assert.hpp"
 #include "model/model.hpp"

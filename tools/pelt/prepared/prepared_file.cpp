@@ -1,6 +1,6 @@
 #include "tools/pelt/prepared/prepared_file.hpp"
 
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include "asset/file_bytes.hpp"
 #include "asset/message.hpp"

@@ -3,7 +3,6 @@
 /// Query of `pelt bounds` for one frame, its totals and its output.
 
 #include <pelt/bounds.hpp>
-#include <pelt/vertex_groups.hpp>
 
 #include "tools/pelt/query/frame_query.hpp"
 

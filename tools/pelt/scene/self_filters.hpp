@@ -2,7 +2,7 @@
 
 /// Filters of the contacts of characters with themselves.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "tools/pelt/arguments/frame_range.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"

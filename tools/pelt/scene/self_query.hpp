@@ -3,7 +3,7 @@
 /// Finds the contacts of each collider with itself in one frame of a scene, and filters those of
 /// the parts of an instance.
 
-#include <pelt/self_collide.hpp>
+#include <pelt/self.hpp>
 
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/scene_query.hpp"

@@ -1,6 +1,6 @@
 /// `pelt prepare`: builds a model and writes it to a file that loads much faster.
 
-#include <pelt/prepared.hpp>
+#include <pelt/model.hpp>
 
 #include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"

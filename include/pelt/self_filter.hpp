@@ -1,15 +1,15 @@
 #pragma once
 
-/// Self-collision: which triangles of one pose intersect each other. Neighbouring triangles always
-/// touch in the corners that they share; this does not count as intersection. A `SelfFilter`
-/// selects pairs of triangles to leave out of the answer.
+/// Filters of self-collision. A `SelfFilter` selects pairs of triangles to leave out of the answers
+/// of pelt/self.hpp. `near_joints` finds the joints that are neighbours in the body of a character,
+/// so that a filter can leave out the creases of its skin at joints. `ContactTally` finds pairs
+/// that intersect in nearly all poses.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/collide.hpp>
-#include <pelt/export.hpp>
+#include <pelt/math.hpp>
 #include <pelt/model.hpp>
-#include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 #include <pelt/result.hpp>
 
@@ -105,11 +105,6 @@ struct LeftOut {
   PELT_API LeftOut& operator+=(const LeftOut& other);
 };
 
-/// Work of `self_collide`, and the number of pairs that its filters have left out.
-struct SelfStats : QueryStats {
-  LeftOut left_out;
-};
-
 /// The neighbours of a model's triangles, and filters. Create one `SelfFilter` for each model and
 /// choice of filters. Immutable, cheap to copy (copies share the data), safe to use from any number
 /// of threads.
@@ -151,47 +146,6 @@ class PELT_API SelfFilter {
 /// triangles. For a wrong element, the error names the array and the index.
 PELT_API Result<SelfFilter> build_self_filter(const SkinnedModel& model,
                                               const SelfFilterOptions& options = {});
-
-/// Appends the pairs of intersecting triangles of `pose` to `contacts`, in ascending order. In each
-/// pair, triangle_a < triangle_b. Corners and edges that two triangles share do not count as
-/// intersection. Pairs that `filter` leaves out are not appended.
-///
-/// Vertices with equal rest positions and the same bits in displacements of morph targets are one
-/// surface vertex, whatever their influences. Two triangles share a corner if both have a corner at
-/// the same surface vertex and these corners have the same posed position. The number of shared
-/// corners decides when two triangles intersect:
-/// - 0: if the closed triangles intersect, as in `collide`.
-/// - 1: if, in either triangle, the edge opposite the shared corner meets the other closed
-///   triangle.
-/// - 2: if, in either triangle, the corner that is not shared lies on the other closed triangle.
-///   Also if the triangles are folded flat: all corners lie in one plane, and the two corners that
-///   are not shared lie strictly on the same side of the shared edge.
-/// - 3: always, because the triangles are duplicates.
-///
-/// Equal corners of a triangle count as one. In a triangle with the corners p, p and q, the edge
-/// opposite p is therefore the point q. Two triangles are duplicates if both have no corner that
-/// the other does not share.
-///
-/// The answer is exact with respect to the float32 posed vertices (see `posed_vertices`). A
-/// triangle that has collapsed to a segment or a point is treated as that segment or point.
-///
-/// Preconditions:
-/// `filter`: made for the model of `pose`. Otherwise the program aborts, in every build.
-/// `scratch`: not used by another thread at the same time.
-///
-/// Cost: the first query after a new palette poses all vertices and computes all boxes, O(V + T).
-/// Each query also descends the tree against itself, which alone costs time proportional to T,
-/// because neighbours always touch. Pairs that the filter leaves out cost as much as others. If
-/// `rings` is more than 1, each intersecting pair also costs O(triangles in the rings).
-///
-/// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
-/// earlier query.
-PELT_API SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& scratch,
-                                std::vector<Contact>& contacts, const CollideOptions& options = {});
-
-/// Returns whether any triangles of `pose` intersect each other. Like `self_collide`, but stops at
-/// the first contact that the filter does not leave out.
-PELT_API YesNo self_intersects(Pose& pose, const SelfFilter& filter, Scratch& scratch);
 
 /// Removes from `contacts` the pairs that `filter` leaves out. Use this function for contacts
 /// between parts of one character that another query has found, for example `collide` of a coat and
@@ -236,5 +190,66 @@ class PELT_API ContactTally {
   struct Tally;
   std::unique_ptr<Tally> tally_;
 };
+
+/// The rigid bodies of a character. Joints that never move relative to each other are one body,
+/// such as a bone and the armour that is attached to it. A body is named by its lowest joint.
+struct JointBodies {
+  std::vector<std::uint16_t> of_joints;  ///< [J] the body of each joint
+
+  /// [J] For each joint, the next body above its body in the hierarchy, or `kNoJoint`. Bodies that
+  /// move no triangles count, too.
+  std::vector<std::uint16_t> above;
+};
+
+/// Returns the bodies of joints that all move: each joint is a body.
+///
+/// `joint_parents`: [J] the parent of each joint, or `kNoJoint`.
+PELT_API JointBodies bodies_of_parents(std::span<const std::uint16_t> joint_parents);
+
+/// For the members of `SelfFilterOptions` with these names; `bodies` for `joint_bodies`.
+struct NearJoints {
+  std::vector<std::uint16_t> bodies;  ///< [J] the lowest joint of each joint's body
+  std::vector<IndexPair> joint_pairs, joint_pairs_in_zones;  ///< of bodies
+  std::vector<TriangleZone> zones;                           ///< named by bodies
+};
+
+/// Returns which joints are neighbours in the body of a character, whatever its rig looks like. The
+/// triangles of a body are those whose main joint (see `Surface`) is a joint of the body. A body is
+/// near itself. Two bodies are near
+/// - if one is anywhere above the other in the hierarchy, and triangles of both share a corner, as
+///   at an armpit: only in the zone of the joint, where the skin creases;
+/// - if one is the next above the other, without bodies that move no triangles, and no triangles of
+///   both share a corner;
+/// - if triangles of both touch in `at_rest`, as in a ball joint, or at a foot that is no child of
+///   its leg.
+///
+/// The zone of a body is a ball around its border: the corners that its triangles share with those
+/// of bodies above it. The centre of the ball is the centre of the border's bounding box. Its
+/// radius is 2.5 times the distance of the farthest corner of the border from the centre, or 2.5
+/// times the thickness of the body, if that is larger. The thickness is the root mean square
+/// distance of the corners of the body's triangles from the line through the centre and the mean of
+/// these corners. The zone contains the triangles of the body and of those that adjoin it above, if
+/// they have a corner in the ball.
+///
+/// Limits, which only hostile models reach: corners that more than 64 bodies share at one position
+/// are ignored. At a corner, only the nearest 64 bodies above that move triangles are considered.
+/// Zones are built in the order of bodies. Once building them would test more than 64 T triangles
+/// in total, the remaining bodies have no zones; they are near everywhere to those that they share
+/// corners with.
+///
+/// `bodies`: of the joints of the model. For characters of glTF files, see `asset::joint_bodies`.
+/// `positions`: [V] posed vertices in a pose in which each part of the body is in its place; any
+///   such pose gives nearly the same zones. Empty: the rest positions.
+/// `at_rest`: contacts in reference poses, in any order, found with the filter that an empty
+///   `at_rest` gives. Otherwise, joints whose skin creases at rest are near everywhere.
+///
+/// Cost: O(T log T + V). Allocates.
+///
+/// Returns an error if an array has the wrong size, a joint or triangle does not exist, a body is
+/// not named by its lowest joint, joints of one body have different bodies above, a body is above
+/// itself, or a position is not finite.
+PELT_API Result<NearJoints> near_joints(const SkinnedModel& model, const JointBodies& bodies,
+                                        std::span<const Vec3> positions,
+                                        std::span<const Contact> at_rest);
 
 }  // namespace pelt

@@ -6,10 +6,9 @@
 /// `describe_contacts` chains these segments into curves. It also joins connected contacts into
 /// patches.
 
-#include <pelt/cxx20.hpp>
+#include <pelt/config.hpp>
 
 #include <pelt/collide.hpp>
-#include <pelt/export.hpp>
 
 #include <cstdint>
 #include <memory>
