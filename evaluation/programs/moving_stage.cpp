@@ -24,7 +24,7 @@ PaddedCorners padded(const detail::TriangleCorners& corners) {
   return result;
 }
 
-/// The rule of collide_moving, but pairs of triangles are only collected.
+/// The rule of `collide` of motions, but pairs of triangles are only collected.
 class Collecting : public detail::MovingOverlap {
  public:
   Collecting(const detail::Tree& a, const detail::Tree& b,

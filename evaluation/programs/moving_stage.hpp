@@ -22,7 +22,7 @@ struct MovingCandidate {
 
 /// The functions for one instruction set.
 struct MovingStage {
-  /// Appends the pairs that `collide_moving` tests in the step of two trees.
+  /// Appends the pairs that `collide` of motions tests in the step of two trees.
   void (*collect)(const detail::MovingTree& a, const detail::MovingTree& b,
                   detail::Scratch& scratch, detail::Stack<MovingCandidate>& candidates);
 

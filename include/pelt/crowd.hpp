@@ -197,9 +197,9 @@ class PELT_API Crowd {
   /// Cost: O(J). Allocates nothing, unless a step begins.
   Result<void> set_offsets(std::uint32_t instance, std::span<const Vec3> offsets);
 
-  /// Begins a step for `collide_moving`: the current poses of all instances become the start of the
-  /// step. The first `set_palette`, `set_dual_quaternions`, `set_morph_weights`, `set_vertices` or
-  /// `set_offsets` of an instance after this call then begins its motion. Later calls change the
+  /// Begins a step for `collide` of motions: the current poses of all instances become the start of
+  /// the step. The first `set_palette`, `set_dual_quaternions`, `set_morph_weights`, `set_vertices`
+  /// or `set_offsets` of an instance after this call then begins its motion. Later calls change the
   /// end of the motion. An instance without such a call stands still, and so does every instance of
   /// a crowd for which no step was ever begun.
   ///
@@ -254,16 +254,16 @@ class PELT_API Crowd {
   CrowdStats intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdOptions& options = {});
 
   /// Appends the triangles that intersect at any time of the current step, in ascending order of
-  /// the instances and triangles. Exact like `collide_moving` of two motions and
-  /// `self_collide_moving`.
+  /// the instances and triangles. Exact like `collide` of two motions and
+  /// `self_collide` of a motion.
   ///
   /// `moving`: as for two motions. `moving.max_contacts` is the limit of each pair of instances,
   /// and of each instance against itself. `options`: selects the tests. `max_contacts` is ignored.
   ///
   /// Cost, threads, allocation and exceptions: as `collide`. The broad phase compares boxes around
   /// both ends of the motions.
-  CrowdStats collide_moving(std::vector<CrowdMovingContact>& contacts,
-                            const CrowdOptions& options = {}, const MovingOptions& moving = {});
+  CrowdStats collide(std::vector<CrowdMovingContact>& contacts, const CrowdOptions& options = {},
+                     const MovingOptions& moving = {});
 
   /// Searches the pairs of instances for contacts, with a limit of the work. Appends the contacts
   /// that were found to `contacts`, and the pairs that are not decided to `undecided`, both in

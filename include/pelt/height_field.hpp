@@ -1,6 +1,6 @@
 #pragma once
 
-/// Terrain: a grid of heights, for `collide`, `collide_moving`, `distance` and rays.
+/// Terrain: a grid of heights, for `collide` of poses and of motions, `distance` and rays.
 
 #include <pelt/config.hpp>
 
@@ -108,17 +108,17 @@ PELT_API YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch
 /// 0 to 1, in ascending order. The field stands still. `Contact::triangle_b` is a triangle of the
 /// field.
 ///
-/// Precondition, exactness and allocation: as `collide_moving` of two motions.
+/// Precondition, exactness and allocation: as `collide` of two motions.
 ///
 /// Cost: as `collide` of a pose and a field, with boxes around both ends of the motion, and with
 /// nodes opened at both ends.
-PELT_API MovingStats collide_moving(const Motion& motion, const HeightField& field,
-                                    Scratch& scratch, std::vector<MovingContact>& contacts,
-                                    const MovingOptions& options = {});
+PELT_API MovingStats collide(const Motion& motion, const HeightField& field, Scratch& scratch,
+                             std::vector<MovingContact>& contacts,
+                             const MovingOptions& options = {});
 
 /// Returns whether any triangle of the moving skin intersects the field at any time. Like
-/// `collide_moving`, but stops at the first contact that it finds.
-PELT_API YesNo touch_while_moving(const Motion& motion, const HeightField& field, Scratch& scratch);
+/// `collide`, but stops at the first contact that it finds.
+PELT_API YesNo intersects(const Motion& motion, const HeightField& field, Scratch& scratch);
 
 /// Writes the least distance between a triangle of the posed skin and a triangle of the field.
 /// `Distance::b` is on the field. A skin below the field has a positive distance, like a skin above

@@ -90,26 +90,26 @@ struct MovingStats : QueryStats {
 ///
 /// The answer is exact with respect to the float32 posed vertices at both ends (see
 /// `posed_vertices`), and to real numbers between them. At each time, triangles intersect as
-/// defined at `collide`, so a body that is wholly inside another one has no contact.
+/// defined at `collide` of two poses, so a body that is wholly inside another one has no contact.
 ///
 /// Preconditions:
 /// `a`, `b`: of different poses. A pose in both aborts the program, in every build.
 /// `scratch`: not used by another thread at the same time.
 ///
-/// Cost: as `collide`, but nodes are opened in both poses of a motion, and the number of contacts
-/// grows with the distance that the surfaces move into each other.
+/// Cost: as `collide` of two poses, but nodes are opened in both poses of a motion, and the number
+/// of contacts grows with the distance that the surfaces move into each other.
 ///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
 /// earlier query.
 ///
 /// Source: Kavan & Zara 2005, section 6, name this query as future work.
-PELT_API MovingStats collide_moving(const Motion& a, const Motion& b, Scratch& scratch,
-                                    std::vector<MovingContact>& contacts,
-                                    const MovingOptions& options = {});
+PELT_API MovingStats collide(const Motion& a, const Motion& b, Scratch& scratch,
+                             std::vector<MovingContact>& contacts,
+                             const MovingOptions& options = {});
 
 /// Returns whether any triangles of `a` and `b` intersect at any time from 0 to 1. Like
-/// `collide_moving`, but stops at the first contact that it finds.
-PELT_API YesNo touch_while_moving(const Motion& a, const Motion& b, Scratch& scratch);
+/// `collide`, but stops at the first contact that it finds.
+PELT_API YesNo intersects(const Motion& a, const Motion& b, Scratch& scratch);
 
 struct FirstContactOptions {
   /// Leaves out pairs that intersect at time 0.
@@ -118,9 +118,9 @@ struct FirstContactOptions {
 
 /// Sets `first` to the pair of triangles with the least exact first time; of pairs with exactly the
 /// same time, to the lowest. If nothing intersects, `first` is empty. The pair is one of those that
-/// `collide_moving` finds, with the same time and features.
+/// `collide` finds, with the same time and features.
 ///
-/// Preconditions and allocation: those of `collide_moving`.
+/// Preconditions and allocation: those of `collide`.
 ///
 /// Cost: looks for the lowest pair at time 0 first, and skips parts of a's tree whose triangles all
 /// have higher numbers than those of the lowest pair found so far. If nothing intersects at time 0,

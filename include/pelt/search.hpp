@@ -178,7 +178,8 @@ class PELT_API CollisionSearch {
 ///
 /// After any amount of work:
 /// - `a` and `b` are apart at all times before `apart_until`, which never falls.
-/// - `earliest` is a contact of `collide_moving`, with the same time and features. More work
+/// - `earliest` is a contact of `collide` of two motions, with the same time and features. More
+/// work
 ///   replaces it only by a contact that is earlier, or that has exactly the same time and a lower
 ///   pair of triangles.
 /// - The first time lies between `apart_until()` and `earliest()->time`. If they are equal, this

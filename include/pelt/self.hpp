@@ -112,7 +112,7 @@ class PELT_API SelfTracker {
 PELT_API SelfStats self_collide(Pose& pose, SelfTracker& tracker, Scratch& scratch,
                                 std::vector<Contact>& contacts, const CollideOptions& options = {});
 
-/// Work of `self_collide_moving`, and the number of pairs that its filters have left out.
+/// Work of `self_collide` of a motion, and the number of pairs that its filters have left out.
 struct SelfMovingStats : MovingStats {
   LeftOut left_out;
 
@@ -123,15 +123,15 @@ struct SelfMovingStats : MovingStats {
 /// 1, in ascending order. In each pair, triangle_a < triangle_b. Pairs that `filter` leaves out are
 /// not appended.
 ///
-/// At each time, triangles intersect as defined at `self_collide`, for the positions of the
-/// vertices at this time: two corners are shared if they have the same surface vertex, and the same
-/// position at this time. The answer is exact, as that of `collide_moving`. With default options,
-/// it contains the pairs that `self_collide` finds in the poses at both ends.
+/// At each time, triangles intersect as defined at `self_collide` of a pose, for the positions of
+/// the vertices at this time: two corners are shared if they have the same surface vertex, and the
+/// same position at this time. The answer is exact, as that of `collide` of motions. With default
+/// options, it contains the pairs that `self_collide` finds in the poses at both ends.
 ///
-/// Times and features are those of `collide_moving`, with two differences for triangles that share
-/// corners. Features that have a shared corner in common are left out; if only these meet, both
-/// features are the whole face. Coplanar triangles can start to overlap right after an instant at
-/// which they only fold; the time is then that instant.
+/// Times and features are those of `collide` of motions, with two differences for triangles that
+/// share corners. Features that have a shared corner in common are left out; if only these meet,
+/// both features are the whole face. Coplanar triangles can start to overlap right after an instant
+/// at which they only fold; the time is then that instant.
 ///
 /// Preconditions:
 /// `motion`: a step of the model of `filter`. Otherwise the program aborts, in every build.
@@ -143,13 +143,12 @@ struct SelfMovingStats : MovingStats {
 ///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
 /// earlier query.
-PELT_API SelfMovingStats self_collide_moving(const Motion& motion, const SelfFilter& filter,
-                                             Scratch& scratch, std::vector<MovingContact>& contacts,
-                                             const MovingOptions& options = {});
+PELT_API SelfMovingStats self_collide(const Motion& motion, const SelfFilter& filter,
+                                      Scratch& scratch, std::vector<MovingContact>& contacts,
+                                      const MovingOptions& options = {});
 
 /// Returns whether any triangles of one character intersect each other at any time from 0 to 1.
-/// Like `self_collide_moving`, but stops at the first contact that the filter does not leave out.
-PELT_API YesNo self_touches_while_moving(const Motion& motion, const SelfFilter& filter,
-                                         Scratch& scratch);
+/// Like `self_collide`, but stops at the first contact that the filter does not leave out.
+PELT_API YesNo self_intersects(const Motion& motion, const SelfFilter& filter, Scratch& scratch);
 
 }  // namespace pelt

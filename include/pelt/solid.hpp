@@ -99,7 +99,7 @@ struct RegionEntry {
 /// Appends every triangle of the moving skin that touches the region at any time from 0 to 1, in
 /// ascending order. The region stands still. A triangle that is inside the region touches it.
 ///
-/// Options are those of `collide_moving` of two motions. A triangle counts as a contact. Without
+/// Options are those of `collide` of two motions. A triangle counts as a contact. Without
 /// `times`, each entry has time 0, and `at_start` is false.
 ///
 /// The answer is exact with respect to the float32 posed vertices at both ends, to real numbers
@@ -109,21 +109,20 @@ struct RegionEntry {
 /// Preconditions: those of `Motion` and `Region`; `scratch` is not used by another thread at the
 /// same time.
 ///
-/// Cost: as `collide`, but nodes are opened in both poses. A search in double precision with error
-/// bounds decides nearly all triangles that boxes and the ends of the step leave undecided, in a
-/// few microseconds each. Exact arithmetic decides the others, in about 100 us each and with up to
-/// 900 KB of the stack: triangles that touch the region only at a single time, and triangles that
-/// move through a box or polyhedron without thickness.
+/// Cost: as `collide` of a pose, but nodes are opened in both poses. A search in double precision
+/// with error bounds decides nearly all triangles that boxes and the ends of the step leave
+/// undecided, in a few microseconds each. Exact arithmetic decides the others, in about 100 us each
+/// and with up to 900 KB of the stack: triangles that touch the region only at a single time, and
+/// triangles that move through a box or polyhedron without thickness.
 ///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `entries` than any
 /// earlier query.
-PELT_API MovingStats collide_moving(const Motion& motion, const Region& region, Scratch& scratch,
-                                    std::vector<RegionEntry>& entries,
-                                    const MovingOptions& options = {});
+PELT_API MovingStats collide(const Motion& motion, const Region& region, Scratch& scratch,
+                             std::vector<RegionEntry>& entries, const MovingOptions& options = {});
 
 /// Returns whether any triangle of the moving skin touches the region at any time. Like
-/// `collide_moving` without `times`, but stops at the first triangle that it finds.
-PELT_API YesNo touch_while_moving(const Motion& motion, const Region& region, Scratch& scratch);
+/// `collide` without `times`, but stops at the first triangle that it finds.
+PELT_API YesNo intersects(const Motion& motion, const Region& region, Scratch& scratch);
 
 /// A simple solid: a region for which Pelt can also compute distances and cast rays.
 ///

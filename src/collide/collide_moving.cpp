@@ -25,14 +25,14 @@ MovingStats& MovingStats::operator+=(const MovingStats& other) {
   return *this;
 }
 
-MovingStats collide_moving(const Motion& a, const Motion& b, Scratch& scratch,
-                           std::vector<MovingContact>& contacts, const MovingOptions& options) {
+MovingStats collide(const Motion& a, const Motion& b, Scratch& scratch,
+                    std::vector<MovingContact>& contacts, const MovingOptions& options) {
   const MovingStats stats = search(a, b, scratch, options);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 
-YesNo touch_while_moving(const Motion& a, const Motion& b, Scratch& scratch) {
+YesNo intersects(const Motion& a, const Motion& b, Scratch& scratch) {
   MovingOptions options;
   options.times = false;
   options.max_contacts = 1;

@@ -29,8 +29,8 @@ QueryStats collide(EagerPose& a, EagerPose& b, Scratch& scratch, std::vector<Con
   return stats;
 }
 
-MovingStats collide_moving(const EagerMotion& a, const EagerMotion& b, Scratch& scratch,
-                           std::vector<MovingContact>& contacts, const MovingOptions& options) {
+MovingStats collide(const EagerMotion& a, const EagerMotion& b, Scratch& scratch,
+                    std::vector<MovingContact>& contacts, const MovingOptions& options) {
   const EagerStep step_a(a), step_b(b);
   const MovingStats stats = collide_moving_trees(step_a.tree(), step_b.tree(), scratch, options);
   append_sorted(scratch, contacts);

@@ -23,9 +23,9 @@ struct EagerMotion {
   EagerPose &from, &to;
 };
 
-/// Appends the contacts of two steps, ascending; see pelt::collide_moving.
-MovingStats collide_moving(const EagerMotion& a, const EagerMotion& b, Scratch& scratch,
-                           std::vector<MovingContact>& contacts, const MovingOptions& options);
+/// Appends the contacts of two steps, ascending; see pelt::collide.
+MovingStats collide(const EagerMotion& a, const EagerMotion& b, Scratch& scratch,
+                    std::vector<MovingContact>& contacts, const MovingOptions& options);
 
 /// See pelt::first_contact.
 MovingStats first_contact(const EagerMotion& a, const EagerMotion& b, Scratch& scratch,

@@ -119,8 +119,8 @@ CrowdStats Crowd::intersecting_pairs(std::vector<CrowdPair>& pairs, const CrowdO
   return stats;
 }
 
-CrowdStats Crowd::collide_moving(std::vector<CrowdMovingContact>& contacts,
-                                 const CrowdOptions& options, const MovingOptions& moving) {
+CrowdStats Crowd::collide(std::vector<CrowdMovingContact>& contacts, const CrowdOptions& options,
+                          const MovingOptions& moving) {
   const CrowdStats stats = crowd_->query.run_moving(crowd_->instances, options, moving);
   std::size_t end = contacts.size(), count = 0;
   for (const detail::TouchingPair& pair : crowd_->query.touching()) count += pair.moving.size();

@@ -47,14 +47,14 @@ YesNo intersects(Pose& pose, const HeightField& field, Scratch& scratch) {
   return detail::yes_or_no(!scratch.detail().found.empty(), stats);
 }
 
-MovingStats collide_moving(const Motion& motion, const HeightField& field, Scratch& scratch,
-                           std::vector<MovingContact>& contacts, const MovingOptions& options) {
+MovingStats collide(const Motion& motion, const HeightField& field, Scratch& scratch,
+                    std::vector<MovingContact>& contacts, const MovingOptions& options) {
   const MovingStats stats = find_moving(motion, field, scratch, options);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 
-YesNo touch_while_moving(const Motion& motion, const HeightField& field, Scratch& scratch) {
+YesNo intersects(const Motion& motion, const HeightField& field, Scratch& scratch) {
   MovingOptions options;
   options.times = false;
   options.max_contacts = 1;

@@ -15,7 +15,7 @@ SelfMovingStats search(const Motion& motion, const SelfFilter& filter, Scratch& 
                        const MovingOptions& options) {
   detail::require_step(motion);
   detail::require(&filter.model().detail() == &motion.from.model().detail(),
-                  "self_collide_moving: the filter is of another model");
+                  "self_collide: the filter is of another model");
   const detail::PosedTree from = motion.from.detail().posed_tree();
   const detail::PosedTree to = motion.to.detail().posed_tree();
   return detail::self_collide_moving_tree({from, to}, filter.detail(), scratch.detail(), options);
@@ -29,15 +29,14 @@ SelfMovingStats& SelfMovingStats::operator+=(const SelfMovingStats& other) {
   return *this;
 }
 
-SelfMovingStats self_collide_moving(const Motion& motion, const SelfFilter& filter,
-                                    Scratch& scratch, std::vector<MovingContact>& contacts,
-                                    const MovingOptions& options) {
+SelfMovingStats self_collide(const Motion& motion, const SelfFilter& filter, Scratch& scratch,
+                             std::vector<MovingContact>& contacts, const MovingOptions& options) {
   const SelfMovingStats stats = search(motion, filter, scratch, options);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 
-YesNo self_touches_while_moving(const Motion& motion, const SelfFilter& filter, Scratch& scratch) {
+YesNo self_intersects(const Motion& motion, const SelfFilter& filter, Scratch& scratch) {
   MovingOptions options;
   options.times = false;
   options.max_contacts = 1;

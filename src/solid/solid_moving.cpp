@@ -26,8 +26,8 @@ MovingStats find_moving(const Motion& motion, const Region& region, Scratch& scr
 
 }  // namespace
 
-MovingStats collide_moving(const Motion& motion, const Region& region, Scratch& scratch,
-                           std::vector<RegionEntry>& entries, const MovingOptions& options) {
+MovingStats collide(const Motion& motion, const Region& region, Scratch& scratch,
+                    std::vector<RegionEntry>& entries, const MovingOptions& options) {
   const MovingStats stats = find_moving(motion, region, scratch, options);
   detail::Stack<MovingContact>& found = scratch.detail().moving;
   detail::sort_contacts(found, scratch.detail().sorting_moving);
@@ -37,7 +37,7 @@ MovingStats collide_moving(const Motion& motion, const Region& region, Scratch& 
   return stats;
 }
 
-YesNo touch_while_moving(const Motion& motion, const Region& region, Scratch& scratch) {
+YesNo intersects(const Motion& motion, const Region& region, Scratch& scratch) {
   MovingOptions options;
   options.times = false;
   options.max_contacts = 1;

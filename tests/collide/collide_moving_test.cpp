@@ -84,7 +84,7 @@ TEST(CollideMoving, OfCharactersThatStandStillIsCollide) {
   collide(limbs.a.from, limbs.b.from, scratch, expected);
   ASSERT_GT(expected.size(), 20u);
   std::vector<MovingContact> found;
-  collide_moving({limbs.a.from, limbs.a.from}, {limbs.b.from, limbs.b.from}, scratch, found);
+  collide({limbs.a.from, limbs.a.from}, {limbs.b.from, limbs.b.from}, scratch, found);
   EXPECT_EQ(pairs_of(found), expected);
   for (const MovingContact& c : found) EXPECT_TRUE(c.at_start && c.time == 0);
 }
@@ -117,9 +117,9 @@ TEST(CollideMoving, FindsTheSamePairsBackwardsAndSwapped) {
     limbs.move(random, 0.3);
     const auto pairs = pairs_of(contacts_of(limbs.a, limbs.b));
     std::vector<MovingContact> backwards, swapped;
-    collide_moving({limbs.a.to, limbs.a.from}, {limbs.b.to, limbs.b.from}, scratch, backwards);
+    collide({limbs.a.to, limbs.a.from}, {limbs.b.to, limbs.b.from}, scratch, backwards);
     EXPECT_EQ(pairs_of(backwards), pairs);
-    collide_moving(limbs.b.step(), limbs.a.step(), scratch, swapped);
+    collide(limbs.b.step(), limbs.a.step(), scratch, swapped);
     auto turned = pairs_of(swapped);
     for (Contact& c : turned) std::swap(c.triangle_a, c.triangle_b);
     std::sort(turned.begin(), turned.end());
@@ -161,7 +161,7 @@ TEST(CollideMoving, StopsAtTheLimit) {
   for (const std::uint32_t limit : {0u, 1u, 7u, count, count + 1}) {
     std::vector<MovingContact> some;
     const QueryStats work =
-        collide_moving(limbs.a.step(), limbs.b.step(), scratch, some, {.max_contacts = limit});
+        collide(limbs.a.step(), limbs.b.step(), scratch, some, {.max_contacts = limit});
     EXPECT_EQ(some.size(), std::min(limit, count));
     for (const MovingContact& c : some) EXPECT_NE(std::find(all.begin(), all.end(), c), all.end());
     if (limit != count) {
@@ -178,7 +178,7 @@ TEST(CollideMoving, TouchWhileMovingIsWhetherThereIsAContact) {
   for (int round = 0; round < 60; ++round) {
     limbs.move(random, 0.7);
     const bool expected = !contacts_of(limbs.a, limbs.b).empty();
-    EXPECT_EQ(touch_while_moving(limbs.a.step(), limbs.b.step(), scratch).answer, expected);
+    EXPECT_EQ(intersects(limbs.a.step(), limbs.b.step(), scratch).answer, expected);
     ++(expected ? touching : apart);
   }
   EXPECT_GT(touching, 10);
@@ -213,7 +213,7 @@ TEST(CollideMoving, AllocatesNothingWhenWarm) {
   std::vector<MovingContact> contacts;
   const auto ask = [&] {
     contacts.clear();
-    collide_moving(limbs.a.step(), limbs.b.step(), scratch, contacts);
+    collide(limbs.a.step(), limbs.b.step(), scratch, contacts);
   };
   ask();
   ASSERT_GT(contacts.size(), 20u);
@@ -234,7 +234,7 @@ TEST(CollideMoving, AllocatesNothingAfterReserve) {
   std::vector<MovingContact> contacts;
   contacts.reserve(4 * count);
   const std::size_t before = allocation_count();
-  collide_moving(limbs.a.step(), limbs.b.step(), scratch, contacts);
+  collide(limbs.a.step(), limbs.b.step(), scratch, contacts);
   EXPECT_EQ(allocation_count(), before);
   EXPECT_GT(contacts.size(), 20u);
 }
@@ -243,9 +243,9 @@ TEST(CollideMoving, RefusesAPoseInBothSteps) {
   Limbs limbs;
   Scratch scratch;
   std::vector<MovingContact> contacts;
-  EXPECT_DEATH(collide_moving(limbs.a.step(), {limbs.a.to, limbs.a.to}, scratch, contacts),
+  EXPECT_DEATH(collide(limbs.a.step(), {limbs.a.to, limbs.a.to}, scratch, contacts),
                "Motion: `a` and `b` have a pose in common");
-  EXPECT_DEATH(collide_moving({limbs.a.from, limbs.b.from}, limbs.b.step(), scratch, contacts),
+  EXPECT_DEATH(collide({limbs.a.from, limbs.b.from}, limbs.b.step(), scratch, contacts),
                "Motion: the poses of a motion are of different models");
 }
 

@@ -104,7 +104,7 @@ TEST(FirstContactState, DoesNotDependOnOtherQueries) {
   for_moving_bodies(random, 6, 60, [&](Body& a, Body& b) {
     Scratch scratch;
     std::vector<MovingContact> contacts;
-    collide_moving(a.step(), b.step(), scratch, contacts);
+    collide(a.step(), b.step(), scratch, contacts);
     const TimeStates warm = states_of(a, b, 50);
     for (Pose* pose : {&a.from, &a.to, &b.from, &b.to}) pose->reserve();  // closes all nodes
     ASSERT_EQ(states_of(a, b, 50), warm);

@@ -43,7 +43,7 @@ TEST(FirstContact, IsTheFirstOfAllContacts) {
   for (int round = 0; round < 60; ++round) {
     limbs.move(random, round % 2 ? 0.12 : 0.6);
     std::vector<MovingContact> all;
-    collide_moving(limbs.a.step(), limbs.b.step(), scratch, all);
+    collide(limbs.a.step(), limbs.b.step(), scratch, all);
     const auto after = first_after_start(limbs.a, limbs.b, all);
     const auto start =
         std::find_if(all.begin(), all.end(), [](const MovingContact& c) { return c.at_start; });
@@ -105,7 +105,7 @@ TEST(FirstContact, VisitsLessThanAllContacts) {
     limbs.move(random, 0.6);
     std::vector<MovingContact> contacts;
     std::optional<MovingContact> contact;
-    all += collide_moving(limbs.a.step(), limbs.b.step(), scratch, contacts).triangle_pairs;
+    all += collide(limbs.a.step(), limbs.b.step(), scratch, contacts).triangle_pairs;
     first += first_contact(limbs.a.step(), limbs.b.step(), scratch, contact).triangle_pairs;
   }
   std::printf("triangle pairs: %llu of all contacts, %llu of the first\n",

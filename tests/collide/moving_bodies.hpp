@@ -47,7 +47,7 @@ struct Body {
 inline std::vector<MovingContact> contacts_of(Body& a, Body& b, const MovingOptions& options = {}) {
   Scratch scratch;
   std::vector<MovingContact> contacts;
-  collide_moving(a.step(), b.step(), scratch, contacts, options);
+  collide(a.step(), b.step(), scratch, contacts, options);
   return contacts;
 }
 

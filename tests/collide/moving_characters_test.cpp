@@ -50,7 +50,7 @@ TEST_P(MovingCharacters, IntersectThemselvesAsByATestOfAllPairs) {
       triangles.push_back(
           {{first[t[0]], first[t[1]], first[t[2]]}, {last[t[0]], last[t[1]], last[t[2]]}});
     std::vector<MovingContact> found;
-    self_collide_moving({from, to}, filter, scratch, found);
+    self_collide({from, to}, filter, scratch, found);
     ASSERT_EQ(found, brute_force_self_moving(triangles, corners, true)) << clip.name;
     contacts += found.size();
     for (const MovingContact& c : found) later += !c.at_start;

@@ -78,7 +78,7 @@ TEST(MovingGolden, OfTwoCreaturesIsTheSameOnEveryTarget) {
       man.step(number);
       dwarf.step(number);
       std::vector<MovingContact> contacts;
-      collide_moving(man.motion(), dwarf.motion(), scratch, contacts);
+      collide(man.motion(), dwarf.motion(), scratch, contacts);
       hash.add(contacts);
     }
     EXPECT_EQ(hash.contacts(), 15775u);
@@ -94,7 +94,7 @@ TEST(MovingGolden, OfACreatureWithItselfIsTheSameOnEveryTarget) {
     for (int number = 0; number < kSteps; ++number) {
       man.step(number);
       std::vector<MovingContact> contacts;
-      self_collide_moving(man.motion(), man.filter, scratch, contacts);
+      self_collide(man.motion(), man.filter, scratch, contacts);
       hash.add(contacts);
     }
     EXPECT_EQ(hash.contacts(), 28u);

@@ -42,7 +42,7 @@ TEST(TouchingSteps, FindCornersThatPassAtOneInstant) {
     const MovingContact& contact = contacts.front();
     EXPECT_TRUE(q * double{contact.time} <= p && p < q * double{std::nextafter(contact.time, 2.f)});
     EXPECT_TRUE(contact.a.kind == FeatureKind::corner && contact.b.kind == FeatureKind::corner);
-    EXPECT_TRUE(touch_while_moving(a.step(), b.step(), scratch).answer);
+    EXPECT_TRUE(intersects(a.step(), b.step(), scratch).answer);
     std::optional<MovingContact> first;
     first_contact(a.step(), b.step(), scratch, first);
     EXPECT_EQ(first, contact);

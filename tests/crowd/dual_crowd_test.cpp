@@ -93,7 +93,7 @@ TEST(DualCrowd, DualQuaternionsBeginTheMotionOfAnInstance) {
   limbs.crowd.collide(limbs.contacts);
   EXPECT_EQ(limbs.contacts.size(), 0u);
   std::vector<CrowdMovingContact> moving;
-  limbs.crowd.collide_moving(moving);
+  limbs.crowd.collide(moving);
   EXPECT_GT(moving.size(), 100u);
 }
 
@@ -114,9 +114,9 @@ TEST(DualCrowd, SetsDualQuaternionsOfBothEndsOfAStep) {
   Scratch scratch;
   std::vector<MovingContact> expected;
   Pose also_still(still.model());
-  collide_moving({start, end}, {still, also_still}, scratch, expected);
+  collide({start, end}, {still, also_still}, scratch, expected);
   std::vector<CrowdMovingContact> moving;
-  limbs.crowd.collide_moving(moving);
+  limbs.crowd.collide(moving);
   ASSERT_EQ(moving.size(), expected.size());
   for (std::size_t i = 0; i < moving.size(); ++i) EXPECT_EQ(moving[i].moving, expected[i]);
   EXPECT_GT(moving.size(), 100u);
@@ -127,7 +127,7 @@ TEST(DualCrowd, SetsDualQuaternionsOfBothEndsOfAStep) {
   EXPECT_FALSE(set(wrong, to));
   EXPECT_FALSE(set(to, wrong));
   moving.clear();
-  limbs.crowd.collide_moving(moving);
+  limbs.crowd.collide(moving);
   EXPECT_EQ(moving.size(), 0u);
 }
 

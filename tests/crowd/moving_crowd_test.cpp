@@ -46,7 +46,7 @@ struct MovingCrowd {
     for (std::uint32_t a = 0; a < from.size(); ++a)
       for (std::uint32_t b = a + 1; b < from.size(); ++b) {
         std::vector<MovingContact> contacts;
-        pelt::collide_moving({from[a], to[a]}, {from[b], to[b]}, scratch, contacts, options);
+        pelt::collide({from[a], to[a]}, {from[b], to[b]}, scratch, contacts, options);
         for (const MovingContact& contact : contacts) all.push_back({a, b, contact});
       }
     return all;
@@ -55,7 +55,7 @@ struct MovingCrowd {
   std::vector<CrowdMovingContact> contacts(std::uint32_t threads,
                                            const MovingOptions& options = {}) {
     std::vector<CrowdMovingContact> found;
-    crowd.crowd.collide_moving(found, {.threads = threads}, options);
+    crowd.crowd.collide(found, {.threads = threads}, options);
     return found;
   }
 
@@ -99,7 +99,7 @@ TEST(MovingCrowd, StandsStillUntilItIsMoved) {
   ASSERT_GT(now.size(), 100u);
   for (int step = 0; step < 2; ++step) {
     std::vector<CrowdMovingContact> moving;
-    crowd.crowd.collide_moving(moving);
+    crowd.crowd.collide(moving);
     ASSERT_EQ(moving.size(), now.size());
     for (std::size_t i = 0; i < now.size(); ++i)
       EXPECT_TRUE(moving[i].moving.at_start && moving[i].instance_a == now[i].instance_a &&
@@ -122,7 +122,7 @@ TEST(MovingCrowd, StandsStillAfterARefusedMotion) {
   EXPECT_FALSE(set(good, bad));
   EXPECT_EQ(crowd.contacts(), now);
   std::vector<CrowdMovingContact> moving;
-  crowd.crowd.collide_moving(moving);
+  crowd.crowd.collide(moving);
   EXPECT_EQ(moving.size(), now.size());
 }
 
@@ -144,10 +144,10 @@ TEST(MovingCrowd, MovesMorphWeights) {
   crowd.begin_step();
   ASSERT_TRUE(crowd.set_morph_weights(0, second));
   std::vector<CrowdMovingContact> found;
-  crowd.collide_moving(found);
+  crowd.collide(found);
   Scratch scratch;
   std::vector<MovingContact> expected;
-  pelt::collide_moving({from[0], to[0]}, {from[1], to[1]}, scratch, expected);
+  pelt::collide({from[0], to[0]}, {from[1], to[1]}, scratch, expected);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].moving, expected[i]);
   std::vector<CrowdContact> at_end;
@@ -170,7 +170,7 @@ TEST(MovingCrowd, TestsInstancesAgainstThemselves) {
     for (std::uint32_t i = 0; i < filters.size(); ++i) {
       if (i == 4) continue;
       std::vector<MovingContact> contacts;
-      self_collide_moving({crowd.from[i], crowd.to[i]}, filters[i], scratch, contacts);
+      self_collide({crowd.from[i], crowd.to[i]}, filters[i], scratch, contacts);
       for (const MovingContact& contact : contacts) expected.push_back({i, i, contact});
       own += contacts.size();
     }
@@ -181,7 +181,7 @@ TEST(MovingCrowd, TestsInstancesAgainstThemselves) {
     for (const std::uint32_t threads : {1u, 3u}) {
       options.threads = threads;
       std::vector<CrowdMovingContact> found;
-      const CrowdStats stats = crowd.crowd.crowd.collide_moving(found, options);
+      const CrowdStats stats = crowd.crowd.crowd.collide(found, options);
       ASSERT_EQ(found, expected) << "round " << round;
       EXPECT_EQ(stats.self_tests, filters.size() - 1);
     }

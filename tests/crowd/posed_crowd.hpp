@@ -51,7 +51,7 @@ class PosedCrowd {
       std::sort(found.begin(), found.end());
       ASSERT_EQ(found, expected);
       std::vector<CrowdMovingContact> found_moving;
-      crowd.collide_moving(found_moving, {.threads = threads});
+      crowd.collide(found_moving, {.threads = threads});
       ASSERT_EQ(found_moving, expected_moving);
     }
     contacts += expected.size();
@@ -99,7 +99,7 @@ class PosedCrowd {
     for (std::uint32_t a = 0; a < to.size(); ++a)
       for (std::uint32_t b = a + 1; b < to.size(); ++b) {
         found.clear();
-        collide_moving({from_[a], to[a]}, {from_[b], to[b]}, scratch_, found);
+        collide({from_[a], to[a]}, {from_[b], to[b]}, scratch_, found);
         for (const MovingContact& contact : found) all.push_back({a, b, contact});
       }
     return all;

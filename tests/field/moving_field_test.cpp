@@ -28,7 +28,7 @@ std::vector<MovingContact> contacts_of(Body& body, const HeightField& field,
                                        const MovingOptions& options = {}) {
   Scratch scratch;
   std::vector<MovingContact> contacts;
-  collide_moving(body.step(), field, scratch, contacts, options);
+  collide(body.step(), field, scratch, contacts, options);
   return contacts;
 }
 
@@ -82,7 +82,7 @@ TEST(MovingField, HasTheOptionsOfTwoMotions) {
     const std::size_t some = std::min<std::size_t>(all.size(), 7);
     EXPECT_EQ(contacts_of(hike.limb, hike.field, {.max_contacts = 7}).size(), some);
     Scratch scratch;
-    EXPECT_EQ(touch_while_moving(hike.limb.step(), hike.field, scratch).answer, !all.empty());
+    EXPECT_EQ(intersects(hike.limb.step(), hike.field, scratch).answer, !all.empty());
     all_count += all.size();
     ++(all.empty() ? apart : touching);
   }

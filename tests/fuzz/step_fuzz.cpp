@@ -19,9 +19,9 @@
 namespace pelt::test {
 namespace {
 
-Goal moving_later("collide_moving: a contact after the start"),
-    moving_at_start("collide_moving: a contact at the start"),
-    moving_never("collide_moving: no contact"),
+Goal moving_later("collide of motions: a contact after the start"),
+    moving_at_start("collide of motions: a contact at the start"),
+    moving_never("collide of motions: no contact"),
     first_of_several("first_contact: one of several contacts"),
     search_unknown("search: neither touching nor apart yet"),
     search_some("search: some of the contacts"), search_apart("search: no contact at the end"),
@@ -89,10 +89,10 @@ struct Expected {
 void check_moving(SteppingBody& a, SteppingBody& b, Scratch& scratch) {
   const Expected expected(a, b);
   std::vector<MovingContact> found;
-  collide_moving(a.motion(), b.motion(), scratch, found);
-  require(found == expected.contacts, "collide_moving differs from the test of all pairs");
-  require(touch_while_moving(a.motion(), b.motion(), scratch).answer == !found.empty(),
-          "touch_while_moving differs from the test of all pairs");
+  collide(a.motion(), b.motion(), scratch, found);
+  require(found == expected.contacts, "collide of motions differs from the test of all pairs");
+  require(intersects(a.motion(), b.motion(), scratch).answer == !found.empty(),
+          "intersects of motions differs from the test of all pairs");
   std::optional<MovingContact> first;
   first_contact(a.motion(), b.motion(), scratch, first);
   require(first == expected.first, "first_contact differs from the test of all pairs");

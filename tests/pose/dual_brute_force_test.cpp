@@ -129,7 +129,7 @@ TEST(DualBruteForce, MotionsFindAllPairsAndTheFirstOne) {
       Scratch scratch;
       for (Pose* pose : {&a.from, &a.to, &b.from, &b.to}) pose->reserve();  // closes all nodes
       std::vector<MovingContact> found;
-      collide_moving(a.step(), b.step(), scratch, found);
+      collide(a.step(), b.step(), scratch, found);
       ASSERT_EQ(found, expected);
     });
     expect_first(a, b, expected);
@@ -152,7 +152,7 @@ TEST(DualBruteForce, MotionsFindAllPairsOfABodyWithItself) {
     const SelfFilter filter = *build_self_filter(body.to.model());
     Scratch scratch;
     std::vector<MovingContact> found;
-    self_collide_moving(body.step(), filter, scratch, found);
+    self_collide(body.step(), filter, scratch, found);
     ASSERT_EQ(found, expected);
     contacts += expected.size();
     for (const MovingContact& contact : expected) later += !contact.at_start;

@@ -103,7 +103,7 @@ class Asker {
     describe_contacts(a_, surface_a_, contacts, scratch_, geometry);
     add_geometry("describe self", geometry);
     std::vector<MovingContact> moving;
-    self_collide_moving(move_a_, filter, scratch_, moving);
+    self_collide(move_a_, filter, scratch_, moving);
     add("self motion", moving);
     SelfTracker tracker(filter);
     for (Pose* pose : {&move_a_.from, &move_a_.to, &move_a_.to}) {
@@ -212,7 +212,7 @@ class Asker {
     found("region", triangles.size());
     for (const std::uint32_t t : triangles) add("region", t);
     std::vector<RegionEntry> entries;
-    collide_moving(move_a_, region, scratch_, entries);
+    collide(move_a_, region, scratch_, entries);
     found("moving region", entries.size());
     for (const RegionEntry& entry : entries) add("moving region", entry.triangle, entry.time);
   }
@@ -228,13 +228,13 @@ class Asker {
     distance(a_, field, scratch_, nearest);
     add("field distance", nearest.distance);
     std::vector<MovingContact> moving;
-    collide_moving(move_a_, field, scratch_, moving);
+    collide(move_a_, field, scratch_, moving);
     add("moving field", moving);
   }
 
   void ask_motion() {
     std::vector<MovingContact> contacts;
-    collide_moving(move_a_, move_b_, scratch_, contacts);
+    collide(move_a_, move_b_, scratch_, contacts);
     add("motion", contacts);
     std::optional<MovingContact> first;
     first_contact(move_a_, move_b_, scratch_, first);
@@ -242,7 +242,7 @@ class Asker {
     if (first) add("first contact", *first);
     const Motion resting = {a_, a_};
     contacts.clear();
-    collide_moving(resting, move_b_, scratch_, contacts);
+    collide(resting, move_b_, scratch_, contacts);
     add("resting", contacts);
   }
 

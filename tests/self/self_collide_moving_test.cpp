@@ -25,7 +25,7 @@ struct SelfBody : Body {
 
   std::vector<MovingContact> contacts(const MovingOptions& options = {}) {
     std::vector<MovingContact> found;
-    self_collide_moving(step(), filter, scratch, found, options);
+    self_collide(step(), filter, scratch, found, options);
     return found;
   }
 
@@ -153,7 +153,7 @@ TEST(SelfCollideMoving, HasOptionsForTimesAndForContactsAtTheStart) {
                [](const MovingContact& c) { return !c.at_start; });
   EXPECT_EQ(limb.contacts({.leave_out_start = true}), later);
   EXPECT_EQ(limb.contacts({.max_contacts = 3}).size(), 3u);
-  EXPECT_TRUE(self_touches_while_moving(limb.step(), limb.filter, limb.scratch).answer);
+  EXPECT_TRUE(self_intersects(limb.step(), limb.filter, limb.scratch).answer);
 }
 
 TEST(SelfCollideMoving, ObeysTheFilter) {
@@ -171,7 +171,7 @@ TEST(SelfCollideMoving, ObeysTheFilter) {
              LeftOutBy::none;
     });
     const SelfMovingStats stats =
-        self_collide_moving(filtered.step(), filtered.filter, filtered.scratch, found);
+        self_collide(filtered.step(), filtered.filter, filtered.scratch, found);
     EXPECT_EQ(found, expected);
     EXPECT_EQ(stats.left_out.rings, before - expected.size());
     kept += found.size();
@@ -189,7 +189,7 @@ TEST(SelfCollideMoving, TestsFewPairsExactly) {
   for (int round = 0; round < 20; ++round) {
     limb.fold(random);
     std::vector<MovingContact> found;
-    work += self_collide_moving(limb.step(), limb.filter, limb.scratch, found);
+    work += self_collide(limb.step(), limb.filter, limb.scratch, found);
     contacts += found.size();
   }
   std::printf("seed 1847: %llu pairs, %llu in double, %llu exactly, %zu contacts\n",
@@ -204,19 +204,19 @@ TEST(SelfCollideMoving, AllocatesNothingWhenWarm) {
   FoldingLimb limb;
   limb.fold(random);
   std::vector<MovingContact> found;
-  self_collide_moving(limb.step(), limb.filter, limb.scratch, found);
+  self_collide(limb.step(), limb.filter, limb.scratch, found);
   ASSERT_FALSE(found.empty());
   found.clear();
   const std::size_t before = allocation_count();
-  self_collide_moving(limb.step(), limb.filter, limb.scratch, found);
+  self_collide(limb.step(), limb.filter, limb.scratch, found);
   EXPECT_EQ(allocation_count(), before);
 }
 
 TEST(SelfCollideMovingDeathTest, AFilterOfAnotherModelAborts) {
   FoldingLimb limb, other;
   std::vector<MovingContact> found;
-  EXPECT_DEATH(self_collide_moving(limb.step(), other.filter, limb.scratch, found),
-               "self_collide_moving: the filter is of another model");
+  EXPECT_DEATH(self_collide(limb.step(), other.filter, limb.scratch, found),
+               "self_collide: the filter is of another model");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::vector<RegionEntry> entries_of(Body& body, const Region& region,
                                     const MovingOptions& options = {}) {
   Scratch scratch;
   std::vector<RegionEntry> entries;
-  collide_moving(body.step(), region, scratch, entries, options);
+  collide(body.step(), region, scratch, entries, options);
   return entries;
 }
 
@@ -124,11 +124,11 @@ TEST(MovingSolid, HasTheOptionsOfTwoMotions) {
     Scratch scratch;
     std::vector<RegionEntry> some;
     const MovingStats stats =
-        collide_moving(walk.limb.step(), walk.region, scratch, some, {.max_contacts = 7});
+        collide(walk.limb.step(), walk.region, scratch, some, {.max_contacts = 7});
     EXPECT_EQ(some.size(), std::min<std::size_t>(all.size(), 7));
     EXPECT_EQ(stats.cut_short || all.size() == 7, all.size() >= 7);
     EXPECT_TRUE(contains(triangles_of(all), triangles_of(some)));
-    EXPECT_EQ(touch_while_moving(walk.limb.step(), walk.region, scratch).answer, !all.empty());
+    EXPECT_EQ(intersects(walk.limb.step(), walk.region, scratch).answer, !all.empty());
     all_count += all.size();
     ++(all.empty() ? apart : touching);
   }
@@ -157,7 +157,7 @@ TEST(MovingSolid, OfAStillCharacterIsCollide) {
     Walk walk(random);
     Scratch scratch;
     std::vector<RegionEntry> entries;
-    collide_moving({walk.limb.from, walk.limb.from}, walk.region, scratch, entries);
+    collide({walk.limb.from, walk.limb.from}, walk.region, scratch, entries);
     EXPECT_EQ(triangles_of(entries), triangles_at(walk.limb.from, walk.region));
     for (const RegionEntry& entry : entries) EXPECT_TRUE(entry.at_start);
     found += entries.size();
@@ -177,7 +177,7 @@ TEST(MovingSolid, IsTheSameWithEveryInstructionSet) {
       walk.limb.move(walk.first, walk.last);
       Scratch scratch;
       std::vector<RegionEntry> entries;
-      work.push_back(collide_moving(walk.limb.step(), walk.region, scratch, entries));
+      work.push_back(collide(walk.limb.step(), walk.region, scratch, entries));
       EXPECT_EQ(entries, expected);
     });
     for (const MovingStats& other : work) {
@@ -208,8 +208,8 @@ TEST(MovingSolid, DoesNotAllocateOnceReserved) {
     limb.move(other.first, other.last);
     entries.clear();
     const std::size_t before = allocation_count();
-    collide_moving(limb.step(), other.region, scratch, entries);
-    EXPECT_EQ(touch_while_moving(limb.step(), other.region, scratch).answer, !entries.empty());
+    collide(limb.step(), other.region, scratch, entries);
+    EXPECT_EQ(intersects(limb.step(), other.region, scratch).answer, !entries.empty());
     EXPECT_EQ(allocation_count(), before);
     found += entries.size();
   }
@@ -257,7 +257,7 @@ TEST(MovingSolid, DecidedByTheRootBoxesPosesNothing) {
     limb.move(from, to);
     Scratch scratch;
     std::vector<RegionEntry> entries;
-    const MovingStats stats = collide_moving(limb.step(), region, scratch, entries);
+    const MovingStats stats = collide(limb.step(), region, scratch, entries);
     EXPECT_EQ(stats.node_pairs, 1u);
     EXPECT_EQ(stats.posed_vertices, 0u);
     EXPECT_EQ(entries.size(), count);

@@ -39,7 +39,7 @@ MovingColumns all_moving_contacts(const ClipPoses& a, const ClipPoses& b, bool l
                                   bool times, std::uint32_t max_contacts, const Run& run) {
   return contacts_of_steps(
       a, b, run, [&](const Motion& from_a, const Motion& from_b, Scratch& scratch, List& list) {
-        collide_moving(from_a, from_b, scratch, list, {leave_out_start, times, max_contacts});
+        collide(from_a, from_b, scratch, list, {leave_out_start, times, max_contacts});
       });
 }
 

@@ -156,8 +156,8 @@ std::pair<MovingColumns, Counts> all_self_moving(const ClipPoses& poses, const S
         std::vector<MovingContact>& list = found.add_thread();
         while (const auto step = queue.next()) {
           const std::size_t begin = list.size();
-          sum += self_collide_moving(motion.at(*step), filter, scratch, list,
-                                     {leave_out_start, times, max_contacts})
+          sum += self_collide(motion.at(*step), filter, scratch, list,
+                              {leave_out_start, times, max_contacts})
                      .left_out;
           found.set(*step, list, begin);
         }

@@ -205,11 +205,11 @@ void write_moving_columns(const CrowdHandle& handle) {
 
 /// Finds moving contacts up to the limit. Filters of parts may drop any contacts of pairs, so that
 /// all are needed.
-CrowdStats collide_moving(CrowdHandle& handle, const MovingOptions& options) {
+CrowdStats collide_motions(CrowdHandle& handle, const MovingOptions& options) {
   MovingOptions asked = options;
   if (!handle.part_filters.empty()) asked.max_contacts = MovingOptions().max_contacts;
   handle.moving.clear();
-  CrowdStats stats = handle.crowd.collide_moving(handle.moving, self_tests(&handle), asked);
+  CrowdStats stats = handle.crowd.collide(handle.moving, self_tests(&handle), asked);
   write_found(handle);
   if (handle.part_filters.empty()) return stats;
   stats.left_out += filter_parts(handle);
@@ -355,7 +355,7 @@ PELT_EXPORT std::uint32_t pelt_collide_crowd_moving(CrowdHandle* handle,
                                                     std::uint32_t leaves_out_start,
                                                     std::uint32_t has_times, std::uint32_t most) {
   if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
-  const CrowdStats stats = collide_moving(*handle, {leaves_out_start != 0, has_times != 0, most});
+  const CrowdStats stats = collide_motions(*handle, {leaves_out_start != 0, has_times != 0, most});
   answer_stats(stats);
   answer_left_out(stats.left_out);
   answer().ignored = static_cast<double>(take_ignored_out(*handle));

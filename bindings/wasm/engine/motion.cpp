@@ -48,13 +48,13 @@ PELT_EXPORT void pelt_collide_moving(PoseHandle* a, PoseHandle* a_to, PoseHandle
   found().clear();
   const MovingOptions options = {leaves_out_start != 0, has_times != 0, most};
   answer_moving_stats(
-      collide_moving({a->pose, a_to->pose}, {b->pose, b_to->pose}, scratch(), found(), options));
+      collide({a->pose, a_to->pose}, {b->pose, b_to->pose}, scratch(), found(), options));
   answer_contacts(found(), options.times, a->body, b->body);
 }
 
 PELT_EXPORT std::uint32_t pelt_touch_while_moving(PoseHandle* a, PoseHandle* a_to, PoseHandle* b,
                                                   PoseHandle* b_to) {
-  return answer_yes_no(touch_while_moving({a->pose, a_to->pose}, {b->pose, b_to->pose}, scratch()));
+  return answer_yes_no(intersects({a->pose, a_to->pose}, {b->pose, b_to->pose}, scratch()));
 }
 
 /// Returns whether there is any contact, and answers with it.
@@ -76,7 +76,7 @@ PELT_EXPORT void pelt_self_collide_moving(PoseHandle* from, PoseHandle* to,
   found().clear();
   const MovingOptions options = {leaves_out_start != 0, has_times != 0, most};
   const SelfMovingStats stats =
-      self_collide_moving({from->pose, to->pose}, filter->filter, scratch(), found(), options);
+      self_collide({from->pose, to->pose}, filter->filter, scratch(), found(), options);
   answer_moving_stats(stats);
   answer_left_out(stats.left_out);
   answer_contacts(found(), options.times, from->body, from->body);
@@ -84,8 +84,7 @@ PELT_EXPORT void pelt_self_collide_moving(PoseHandle* from, PoseHandle* to,
 
 PELT_EXPORT std::uint32_t pelt_self_touches_while_moving(PoseHandle* from, PoseHandle* to,
                                                          const FilterHandle* filter) {
-  return answer_yes_no(
-      self_touches_while_moving({from->pose, to->pose}, filter->filter, scratch()));
+  return answer_yes_no(self_intersects({from->pose, to->pose}, filter->filter, scratch()));
 }
 
 }  // namespace pelt::wasm

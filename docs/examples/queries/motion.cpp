@@ -12,7 +12,7 @@ float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch) 
 std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion arm,
                                              pelt::Scratch& scratch) {
   std::vector<pelt::MovingContact> contacts;
-  pelt::collide_moving(sword, arm, scratch, contacts, {.leave_out_start = true});
+  pelt::collide(sword, arm, scratch, contacts, {.leave_out_start = true});
   return contacts;
 }
 
@@ -21,7 +21,7 @@ std::vector<pelt::MovingContact> new_self_contacts(pelt::Motion motion,
                                                    const pelt::SelfFilter& filter,
                                                    pelt::Scratch& scratch) {
   std::vector<pelt::MovingContact> contacts;
-  pelt::self_collide_moving(motion, filter, scratch, contacts, {.leave_out_start = true});
+  pelt::self_collide(motion, filter, scratch, contacts, {.leave_out_start = true});
   return contacts;
 }
 
@@ -29,6 +29,6 @@ std::vector<pelt::MovingContact> new_self_contacts(pelt::Motion motion,
 std::vector<pelt::RegionEntry> entered(pelt::Motion motion, const pelt::Sphere& trigger,
                                        pelt::Scratch& scratch) {
   std::vector<pelt::RegionEntry> entries;
-  pelt::collide_moving(motion, trigger, scratch, entries, {.leave_out_start = true});
+  pelt::collide(motion, trigger, scratch, entries, {.leave_out_start = true});
   return entries;
 }

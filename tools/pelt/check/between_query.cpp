@@ -133,7 +133,7 @@ void BetweenQuery::filter_parts() {
 /// Adds the contacts of a piece that count.
 void BetweenQuery::ask_piece(std::uint32_t piece, StepAnswer& step) {
   moving_.clear();
-  step.work += crowd_.collide_moving(moving_, tests(), {.leave_out_start = true});
+  step.work += crowd_.collide(moving_, tests(), {.leave_out_start = true});
   if (!filters_of_parts_.empty()) filter_parts();
   for (const auto& [a, b, moving] : moving_) {
     const Contact contact =

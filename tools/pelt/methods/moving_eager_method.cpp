@@ -36,8 +36,7 @@ class MovingEager final : public MovingMethod {
 
   MovingStats collide_moving(std::uint32_t a, std::uint32_t b, std::vector<MovingContact>& contacts,
                              const MovingOptions& options) override {
-    return detail::collide_moving(bodies_[a]->motion(), bodies_[b]->motion(), scratch_, contacts,
-                                  options);
+    return detail::collide(bodies_[a]->motion(), bodies_[b]->motion(), scratch_, contacts, options);
   }
 
   MovingStats first_contact(std::uint32_t a, std::uint32_t b,

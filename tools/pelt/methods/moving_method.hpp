@@ -38,7 +38,7 @@ class MovingMethod {
   virtual QueryStats collide_at_end(std::uint32_t a, std::uint32_t b,
                                     std::vector<Contact>& contacts) = 0;
 
-  /// Appends the contacts of two bodies during the step, ascending; see pelt::collide_moving.
+  /// Appends the contacts of two bodies during the step, ascending; see pelt::collide.
   virtual MovingStats collide_moving(std::uint32_t a, std::uint32_t b,
                                      std::vector<MovingContact>& contacts,
                                      const MovingOptions& options) = 0;

@@ -30,7 +30,7 @@ class MovingOnDemand final : public MovingMethod {
 
   MovingStats collide_moving(std::uint32_t a, std::uint32_t b, std::vector<MovingContact>& contacts,
                              const MovingOptions& options) override {
-    return pelt::collide_moving(motion(a), motion(b), scratch_, contacts, options);
+    return pelt::collide(motion(a), motion(b), scratch_, contacts, options);
   }
 
   MovingStats first_contact(std::uint32_t a, std::uint32_t b,
