@@ -166,10 +166,7 @@ class PELT_API Crowd {
   ///
   /// Cost: O(J). Each morph weight other than 0 adds at most O(J). Allocates nothing, unless a step
   /// begins (see `begin_step`).
-  Result<void> set_palette(std::uint32_t instance, std::span<const Matrix4> palette);
-  Result<void> set_palette(std::uint32_t instance, std::span<const float> palette);
-  Result<void> set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette);
-  Result<void> set_palette(std::uint32_t instance, std::span<const double> palette);
+  Result<void> set_palette(std::uint32_t instance, const JointMatrices& palette);
 
   /// Copies a joint palette of dual quaternions, or returns an error, like
   /// Pose::set_dual_quaternions. Otherwise like `set_palette`.
@@ -212,14 +209,8 @@ class PELT_API Crowd {
   /// Morph weights at both ends are the present ones. `collide` uses the palette `to`.
   ///
   /// Cost: that of two calls of `set_palette`. Allocates in the first call for the instance.
-  Result<void> set_motion(std::uint32_t instance, std::span<const Matrix4> from,
-                          std::span<const Matrix4> to);
-  Result<void> set_motion(std::uint32_t instance, std::span<const float> from,
-                          std::span<const float> to);
-  Result<void> set_motion(std::uint32_t instance, std::span<const Matrix3x4> from,
-                          std::span<const Matrix3x4> to);
-  Result<void> set_motion(std::uint32_t instance, std::span<const double> from,
-                          std::span<const double> to);
+  Result<void> set_motion(std::uint32_t instance, const JointMatrices& from,
+                          const JointMatrices& to);
 
   /// Like `set_motion`, with palettes of dual quaternions. Returns an error for a palette that
   /// `set_dual_quaternions` refuses.

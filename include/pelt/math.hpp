@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <variant>
 
 namespace pelt {
 
@@ -47,6 +48,12 @@ struct Matrix3x4 {
 
 static_assert(sizeof(Vec3) == 12 && sizeof(Matrix4) == 64 && sizeof(Matrix3x4) == 48,
               "arrays are shared with engines");
+
+/// A borrowed view of joint matrices, in one of four layouts. Arrays, vectors and spans convert to
+/// it. With floats and doubles, each joint has 16 numbers in the layout of `Matrix4`. Each double
+/// is rounded once, to the nearest float (ties to even), before the matrices are validated.
+using JointMatrices = std::variant<std::span<const Matrix4>, std::span<const Matrix3x4>,
+                                   std::span<const float>, std::span<const double>>;
 
 /// Axis-aligned box: all points with low <= p <= high on each axis.
 struct Box {

@@ -52,21 +52,10 @@ class PELT_API Pose {
   ///   of A^T A - I is more than 2^-10.
   /// If a matrix is invalid, the error names its joint.
   ///
-  /// For the check of 2^60 units, a mesh that reaches less than 2^-60 units from the origin counts
-  /// as a mesh that reaches this far. A matrix with an element beyond 2^120 in its linear part is
-  /// therefore an error for every mesh.
-  Result<void> set_palette(std::span<const Matrix4> palette);
-
-  /// Like `set_palette`, with 16 floats per joint in the layout of `Matrix4`.
-  Result<void> set_palette(std::span<const float> palette);
-
-  /// Like `set_palette`, with the first three rows of each matrix.
-  Result<void> set_palette(std::span<const Matrix3x4> palette);
-
-  /// Like `set_palette`, with 16 doubles per joint in the layout of `Matrix4`. Each element is
-  /// rounded once, to the nearest float (ties to even), and the floats are then validated. An
-  /// element beyond the range of float becomes infinite and is an error.
-  Result<void> set_palette(std::span<const double> palette);
+  /// For the check of 2^60 units, a mesh smaller than 2^-60 units counts as a mesh of this size. A
+  /// matrix with an element beyond 2^120 in its linear part is therefore an error for every mesh,
+  /// and so is a double beyond the range of float.
+  Result<void> set_palette(const JointMatrices& palette);
 
   /// Copies a joint palette of dual quaternions, 8 floats per joint: the rotation as a quaternion
   /// x, y, z, w, then the dual part, which is the product of (t / 2, 0) and the rotation for the

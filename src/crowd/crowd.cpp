@@ -37,19 +37,7 @@ void Crowd::set_collision_mask(std::uint32_t instance, const CollisionMask& mask
   crowd_->instances[instance].mask = mask;
 }
 
-Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const Matrix4> palette) {
-  return set_palette(instance, detail::floats_of(palette));
-}
-
-Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const float> palette) {
-  return crowd_->instances.set_palette(instance, palette);
-}
-
-Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const Matrix3x4> palette) {
-  return crowd_->instances.set_palette(instance, palette);
-}
-
-Result<void> Crowd::set_palette(std::uint32_t instance, std::span<const double> palette) {
+Result<void> Crowd::set_palette(std::uint32_t instance, const JointMatrices& palette) {
   return crowd_->instances.set_palette(instance, palette);
 }
 
@@ -72,23 +60,8 @@ Result<void> Crowd::set_offsets(std::uint32_t instance, std::span<const Vec3> of
 
 void Crowd::begin_step() { crowd_->instances.begin_step(); }
 
-Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const Matrix4> from,
-                               std::span<const Matrix4> to) {
-  return set_motion(instance, detail::floats_of(from), detail::floats_of(to));
-}
-
-Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const float> from,
-                               std::span<const float> to) {
-  return crowd_->instances.set_motion(instance, from, to);
-}
-
-Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const Matrix3x4> from,
-                               std::span<const Matrix3x4> to) {
-  return crowd_->instances.set_motion(instance, from, to);
-}
-
-Result<void> Crowd::set_motion(std::uint32_t instance, std::span<const double> from,
-                               std::span<const double> to) {
+Result<void> Crowd::set_motion(std::uint32_t instance, const JointMatrices& from,
+                               const JointMatrices& to) {
   return crowd_->instances.set_motion(instance, from, to);
 }
 

@@ -26,8 +26,7 @@ void take_posed(CrowdInstance& instance) {
 
 /// Computes the box at once, because the palette is in the caches now, and because this runs on all
 /// threads on which the caller sets palettes.
-template <typename Element>
-Result<void> take_palette(CrowdInstance& instance, std::span<const Element> palette) {
+Result<void> take_palette(CrowdInstance& instance, const JointMatrices& palette) {
   Result<void> set = instance.palette.set(palette);
   if (set) take_posed(instance);
   return set;
@@ -65,19 +64,7 @@ CrowdInstance& CrowdInstances::operator[](std::uint32_t number) {
   return *slots_[number];
 }
 
-Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const float> palette) {
-  CrowdInstance& instance = (*this)[number];
-  save_start(instance);
-  return take_palette(instance, palette);
-}
-
-Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const Matrix3x4> palette) {
-  CrowdInstance& instance = (*this)[number];
-  save_start(instance);
-  return take_palette(instance, palette);
-}
-
-Result<void> CrowdInstances::set_palette(std::uint32_t number, std::span<const double> palette) {
+Result<void> CrowdInstances::set_palette(std::uint32_t number, const JointMatrices& palette) {
   CrowdInstance& instance = (*this)[number];
   save_start(instance);
   return take_palette(instance, palette);
@@ -160,12 +147,10 @@ Result<void> CrowdInstances::move(std::uint32_t number, const Joints& from, cons
   return {};
 }
 
-template <typename Element>
-Result<void> CrowdInstances::set_motion(std::uint32_t number, std::span<const Element> from,
-                                        std::span<const Element> to) {
-  return move(number, from, to, [](Palette& palette, std::span<const Element> joints) {
-    return palette.set(joints);
-  });
+Result<void> CrowdInstances::set_motion(std::uint32_t number, const JointMatrices& from,
+                                        const JointMatrices& to) {
+  return move(number, from, to,
+              [](Palette& palette, const JointMatrices& joints) { return palette.set(joints); });
 }
 
 Result<void> CrowdInstances::set_motion_dual_quaternions(std::uint32_t number,
@@ -175,13 +160,6 @@ Result<void> CrowdInstances::set_motion_dual_quaternions(std::uint32_t number,
     return palette.set_dual_quaternions(joints);
   });
 }
-
-template Result<void> CrowdInstances::set_motion(std::uint32_t, std::span<const float>,
-                                                 std::span<const float>);
-template Result<void> CrowdInstances::set_motion(std::uint32_t, std::span<const Matrix3x4>,
-                                                 std::span<const Matrix3x4>);
-template Result<void> CrowdInstances::set_motion(std::uint32_t, std::span<const double>,
-                                                 std::span<const double>);
 
 std::size_t CrowdInstances::memory_bytes() const {
   std::size_t bytes = bytes_held(slots_, free_);

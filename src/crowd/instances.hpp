@@ -76,10 +76,8 @@ class CrowdInstances {
   /// Precondition: the instance exists.
   CrowdInstance& operator[](std::uint32_t number);
 
-  /// Accepts any of the forms of Palette::set. Several threads may call it for different instances.
-  Result<void> set_palette(std::uint32_t number, std::span<const float> palette);
-  Result<void> set_palette(std::uint32_t number, std::span<const Matrix3x4> palette);
-  Result<void> set_palette(std::uint32_t number, std::span<const double> palette);
+  /// Several threads may call it for different instances.
+  Result<void> set_palette(std::uint32_t number, const JointMatrices& palette);
   Result<void> set_dual_quaternions(std::uint32_t number, std::span<const float> dual_quaternions);
   Result<void> set_morph_weights(std::uint32_t number, std::span<const float> weights);
   Result<void> set_vertices(std::uint32_t number, std::span<const Vec3> vertices);
@@ -87,9 +85,7 @@ class CrowdInstances {
 
   /// See Crowd.
   void begin_step() { ++step_; }
-  template <typename Element>
-  Result<void> set_motion(std::uint32_t number, std::span<const Element> from,
-                          std::span<const Element> to);
+  Result<void> set_motion(std::uint32_t number, const JointMatrices& from, const JointMatrices& to);
   Result<void> set_motion_dual_quaternions(std::uint32_t number, std::span<const float> from,
                                            std::span<const float> to);
 

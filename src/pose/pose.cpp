@@ -54,20 +54,10 @@ Pose::~Pose() = default;
 
 const SkinnedModel& Pose::model() const { return pose_->model; }
 
-Result<void> Pose::set_palette(std::span<const Matrix4> palette) {
-  return set_palette(detail::floats_of(palette));
-}
-
-Result<void> Pose::set_palette(std::span<const float> palette) {
-  return pose_->set_palette(palette);
-}
-
-Result<void> Pose::set_palette(std::span<const Matrix3x4> palette) {
-  return pose_->set_palette(palette);
-}
-
-Result<void> Pose::set_palette(std::span<const double> palette) {
-  return pose_->set_palette(palette);
+Result<void> Pose::set_palette(const JointMatrices& palette) {
+  Result<void> taken = pose_->palette.set(palette);
+  if (taken) pose_->close_all();
+  return taken;
 }
 
 Result<void> Pose::set_dual_quaternions(std::span<const float> dual_quaternions) {

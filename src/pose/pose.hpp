@@ -22,14 +22,6 @@ struct Pose : Instance {
     return Instance::posed_tree(model.detail().tree, model.detail().bounds, arena);
   }
 
-  /// Accepts any of the forms of Palette::set.
-  template <typename Element>
-  Result<void> set_palette(std::span<const Element> elements) {
-    Result<void> set = palette.set(elements);
-    if (set) close_all();
-    return set;
-  }
-
   Result<void> set_vertices(std::span<const Vec3> vertices);
   Result<void> set_offsets(std::span<const Vec3> offsets);
 

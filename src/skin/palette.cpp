@@ -138,7 +138,15 @@ Problem Palette::first_problem(const ProblemOf& problem_of) const {
   return {};
 }
 
-Result<void> Palette::set(std::span<const float> floats) {
+Result<void> Palette::set(const JointMatrices& matrices) {
+  return std::visit([this](const auto& form) { return set_form(form); }, matrices);
+}
+
+Result<void> Palette::set_form(std::span<const Matrix4> matrices) {
+  return set_form(floats_of(matrices));
+}
+
+Result<void> Palette::set_form(std::span<const float> floats) {
   if (floats.size() != joints_.size() * 16)
     return invalid_argument(
         problem("the palette has %zu floats, expected %zu: 16 for each of the model's %zu joints",
@@ -153,7 +161,8 @@ Result<void> Palette::set(std::span<const float> floats) {
   return {};
 }
 
-Result<void> Palette::set(std::span<const Matrix3x4> matrices) {
+/// See `to_matrix` in matrix_forms.hpp.
+Result<void> Palette::set_form(std::span<const Matrix3x4> matrices) {
   if (matrices.size() != joints_.size())
     return invalid_argument(
         problem("the palette has %zu matrices, expected %zu: one for each joint", matrices.size(),
@@ -161,7 +170,7 @@ Result<void> Palette::set(std::span<const Matrix3x4> matrices) {
   return set_by([&](std::size_t joint) { return to_matrix(matrices[joint]); });
 }
 
-Result<void> Palette::set(std::span<const double> numbers) {
+Result<void> Palette::set_form(std::span<const double> numbers) {
   if (numbers.size() != joints_.size() * 16)
     return invalid_argument(
         problem("the palette has %zu doubles, expected %zu: 16 for each of the model's %zu joints",

@@ -73,14 +73,8 @@ class Palette {
   Palette(std::uint32_t joint_count, float rest_extent, std::span<const float> morph_extents = {},
           std::uint32_t dual_influences = 0, std::span<const JointLink> links = {});
 
-  /// Copies `floats`, 16 per joint, if they are valid; otherwise returns an error and changes
-  /// nothing.
-  Result<void> set(std::span<const float> floats);
-  Result<void> set(std::span<const Matrix4> matrices) { return set(floats_of(matrices)); }
-
-  /// The same for other forms; see `to_matrix` in palette.cpp.
-  Result<void> set(std::span<const Matrix3x4> matrices);
-  Result<void> set(std::span<const double> numbers);
+  /// Copies the matrices if they are valid; otherwise returns an error and changes nothing.
+  Result<void> set(const JointMatrices& matrices);
 
   /// The same for dual quaternions, eight floats per joint. An error if the mesh has linear blend
   /// skinning.
@@ -146,6 +140,11 @@ class Palette {
   Problem find_bad_joint(std::span<const float> floats, double reach) const;
   float extent_of(const PaletteScan& joints, double reach) const;
   void keep(const PaletteScan& scan);
+
+  Result<void> set_form(std::span<const float> floats);
+  Result<void> set_form(std::span<const Matrix4> matrices);
+  Result<void> set_form(std::span<const Matrix3x4> matrices);
+  Result<void> set_form(std::span<const double> numbers);
 
   template <typename MatrixOf>
   Result<void> set_by(const MatrixOf& matrix_of);
