@@ -38,8 +38,7 @@ Picture contact_picture() {
   std::vector<Contact> contacts;
   collide(a.pose, b.pose, scratch, contacts);
   ContactGeometry geometry;
-  describe_contacts(a.pose, Surface(a.pose.model()), b.pose, Surface(b.pose.model()), contacts,
-                    scratch, geometry);
+  describe_contacts(a.pose, b.pose, contacts, scratch, geometry);
   std::string objects = unshadowed(painted(a, glass({0.26F, 0.40F, 0.55F}, 0.45), {})) +
                         painted(b, 1) + curves(geometry);
   for (const ContactPatch& patch : geometry.patches)

@@ -25,8 +25,7 @@ Picture inside_picture() {
   Actor &a = cast.actors[0], &b = cast.actors[1];
   Scratch scratch;
   Penetration deepest;
-  deepest_vertex(a.pose, Surface(a.pose.model()), b.pose, Surface(b.pose.model()), scratch,
-                 deepest);
+  deepest_vertex(a.pose, b.pose, scratch, deepest);
   const Vec3d vertex(deepest.position), surface(deepest.closest.position);
   const std::string objects = unshadowed(painted(a, glass({0.26F, 0.40F, 0.55F}, 0.35), {})) +
                               unshadowed(painted(b, glass({0.66F, 0.57F, 0.42F}, 0.45), {})) +

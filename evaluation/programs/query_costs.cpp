@@ -102,16 +102,15 @@ class Costs {
       : asset_(character.asset),
         arguments_(arguments),
         stage_(character.asset, model, arguments.frames, arguments.points),
-        surface_(model),
         a_(model),
         b_(model) {}
 
   void measure_all() {
     std::printf("%zu triangles, %s surface\n", asset_.triangles.size(),
-                surface_.is_closed() ? "closed" : "open");
+                a_.model().surface().is_closed() ? "closed" : "open");
     measure_points();
     measure_pairs();
-    if (surface_.is_closed()) measure_insides();
+    if (a_.model().surface().is_closed()) measure_insides();
     measure_terrain();
   }
 
@@ -197,7 +196,7 @@ class Costs {
     measure(about("contacts, their geometry", &QueryFrame::touching,
                   [this](const QueryFrame&, Answer& answer) {
                     find_contacts(answer);
-                    describe_contacts(a_, surface_, b_, surface_, contacts_, scratch_, geometry_);
+                    describe_contacts(a_, b_, contacts_, scratch_, geometry_);
                     for (const ContactPatch& patch : geometry_.patches)
                       answer.insert(answer.end(), {patch.length, patch.depth, patch.point.x});
                     answer.push_back(static_cast<double>(geometry_.curves.size()));
@@ -223,18 +222,18 @@ class Costs {
     measure(about("deepest vertex, touching", &QueryFrame::touching,
                   [this](const QueryFrame&, Answer& answer) {
                     Penetration deepest;
-                    deepest_vertex(a_, surface_, b_, surface_, scratch_, deepest);
+                    deepest_vertex(a_, b_, scratch_, deepest);
                     answer.insert(answer.end(), {1.0 * deepest.vertex, deepest.depth});
                   }));
     measure(about("volume", nullptr, [this](const QueryFrame&, Answer& answer) {
       Volume found;
-      volume(a_, surface_, found);
+      volume(a_, found);
       answer.insert(answer.end(), {found.value, found.error});
     }));
     measure(about("intersection volume, touching", &QueryFrame::touching,
                   [this](const QueryFrame&, Answer& answer) {
                     Volume found;
-                    intersection_volume(a_, surface_, b_, surface_, scratch_, found);
+                    intersection_volume(a_, b_, scratch_, found);
                     answer.insert(answer.end(), {found.value, found.error});
                   }));
     for (const std::size_t count : {std::size_t{1}, std::size_t{100}})
@@ -242,7 +241,7 @@ class Costs {
                         [=, this](const QueryFrame& frame, Answer& answer) {
                           for (const Vec3& p : std::span(frame.points).first(count)) {
                             PointSide side = PointSide::outside;
-                            side_of(a_, surface_, p, scratch_, side);
+                            side_of(a_, p, scratch_, side);
                             answer.push_back(static_cast<double>(side));
                           }
                         }));
@@ -272,7 +271,6 @@ class Costs {
   const asset::Asset& asset_;
   const Arguments& arguments_;
   QueryStage stage_;
-  Surface surface_;
   Pose a_, b_;
   Scratch scratch_;
   std::vector<ClosestPoint> closest_;

@@ -2,14 +2,15 @@
 
 /// Inside and outside of closed surfaces: whether a point lies inside a body and how often the
 /// surface encloses it, how deep one body is inside another, and whether one body contains another.
-/// Only closed surfaces
-/// (`Surface::is_closed`) have an inside. A point is inside if the winding number of the posed
-/// surface around the point is not 0. Decisions are exact on the float32 posed vertices.
+/// Only closed surfaces (`Surface::is_closed`) have an inside. A point is inside if the winding
+/// number of the posed surface around the point is not 0. Decisions are exact on the float32 posed
+/// vertices.
 ///
 /// Volumes of closed bodies: of one body, of its overlap with itself, and of the intersection of
-/// two. The surfaces need not be
-/// free of intersections with themselves: all volumes are integrals of winding numbers, see
-/// `side_of`.
+/// two. Surfaces may intersect themselves, because all volumes are integrals of winding numbers.
+///
+/// Allocation: the first query of a model also makes its surface (`SkinnedModel::surface`), unless
+/// it is made already.
 
 #include <pelt/config.hpp>
 
@@ -30,7 +31,7 @@ enum class PointSide : std::uint8_t {
 /// intersects itself.
 ///
 /// Preconditions:
-/// `surface`: closed, and of the model of `pose`. Otherwise the program aborts, in every build.
+/// `pose`: its surface is closed. Otherwise the program aborts, in every build.
 /// `point`: coordinates are between -2^60 and 2^60. A NaN or infinite coordinate aborts the
 ///   program, in every build.
 ///
@@ -38,8 +39,7 @@ enum class PointSide : std::uint8_t {
 /// posing vertices, in O(J). Each morph weight other than 0 adds at most O(J). If the point is in
 /// the box, the query searches for a triangle that contains the point. If there is none, the query
 /// casts one ray.
-PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
-                            PointSide& result);
+PELT_API QueryStats side_of(Pose& pose, const Vec3& point, Scratch& scratch, PointSide& result);
 
 /// Writes the winding number of the posed surface around a point: how often the surface encloses
 /// the point. 0 outside, 1 inside a body whose triangles are counter-clockwise seen from outside, 2
@@ -47,8 +47,8 @@ PELT_API QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& poin
 /// the surface has no winding number; the result is then 0, and `side_of` tells the two apart.
 ///
 /// Preconditions and cost: as for `side_of`.
-PELT_API QueryStats winding_number(Pose& pose, const Surface& surface, const Vec3& point,
-                                   Scratch& scratch, std::int32_t& result);
+PELT_API QueryStats winding_number(Pose& pose, const Vec3& point, Scratch& scratch,
+                                   std::int32_t& result);
 
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
 
@@ -80,8 +80,7 @@ struct Penetration {
 /// a model of each part. For the depth of single triangles, see `ContactTrace::depth`.
 ///
 /// Preconditions (otherwise the program aborts, in every build):
-/// `a`, `b`: different poses.
-/// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`; `surface_b` is closed.
+/// `a`, `b`: different poses. The surface of `b` is closed.
 ///
 /// Cost: tests the boxes of `a` against the surface of `b`. If the surface of `b` does not touch a
 /// box, one `side_of` decides whether the box is outside `b`. Boxes outside `b` are skipped with
@@ -89,8 +88,7 @@ struct Penetration {
 /// surface of `b` that is closer to the vertex than the greatest depth so far. If there is such a
 /// point, the vertex is skipped. Otherwise the query tests whether the vertex is inside `b`. If so,
 /// the query computes the closest point of the surface of `b`.
-PELT_API QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b,
-                                   const Surface& surface_b, Scratch& scratch, Penetration& result);
+PELT_API QueryStats deepest_vertex(Pose& a, Pose& b, Scratch& scratch, Penetration& result);
 
 enum class Containment : std::uint8_t {
   none,    ///< the bodies touch, or neither contains the other
@@ -101,13 +99,13 @@ enum class Containment : std::uint8_t {
 /// Writes which body, if any, lies wholly inside the other body without touching it. A body whose
 /// surface is not closed can be contained in the other body, but cannot contain the other body.
 ///
-/// Preconditions: as for `deepest_vertex`, but `surface_b` need not be closed.
+/// Precondition: `a` and `b` are different poses. Passing one pose twice aborts the program, in
+/// every build.
 ///
-/// Cost: that of `intersects`. If the bodies do not touch and `surface_b` is closed, the query then
-/// calls `side_of` for one point of each connected part of `a`, until a point is outside `b`. If
-/// `a` is not inside `b`, the query does the same with `a` and `b` exchanged.
-PELT_API QueryStats containment(Pose& a, const Surface& surface_a, Pose& b,
-                                const Surface& surface_b, Scratch& scratch, Containment& result);
+/// Cost: that of `intersects`. If the bodies do not touch and the surface of `b` is closed, the
+/// query then calls `side_of` for one point of each connected part of `a`, until a point is outside
+/// `b`. If `a` is not inside `b`, the query does the same with `a` and `b` exchanged.
+PELT_API QueryStats containment(Pose& a, Pose& b, Scratch& scratch, Containment& result);
 
 /// A volume, in cubed units of the joint palette's frame.
 struct Volume {
@@ -125,11 +123,10 @@ struct Volume {
 ///
 /// Error: stated in the result. About 2^-53 T times the volume of the bounding box.
 ///
-/// Preconditions (otherwise the program aborts, in every build):
-/// `surface`: closed, and of the model of `pose`.
+/// Precondition: the surface of `pose` is closed. Otherwise the program aborts, in every build.
 ///
 /// Cost: O(V + T). Opens all nodes.
-PELT_API QueryStats volume(Pose& pose, const Surface& surface, Volume& result);
+PELT_API QueryStats volume(Pose& pose, Volume& result);
 
 /// Writes the volume of the intersection of a body with itself: the integral of w (w - 1) / 2 over
 /// space, where w is the winding number of the posed surface. Where the body overlaps itself once,
@@ -150,15 +147,15 @@ PELT_API QueryStats volume(Pose& pose, const Surface& surface, Volume& result);
 /// Error: stated in the result. About 2^-53 n times the volume of a box around all triangles that
 /// contribute, where n is their number: those that cross others, and those with w != 0 in front.
 ///
-/// Preconditions (otherwise the program aborts, in every build):
-/// `surface`: closed, and of the model of `pose`. The model has at most 2^28 triangles.
+/// Precondition: the surface of `pose` is closed, and its model has at most 2^28 triangles.
+/// Otherwise the program aborts, in every build.
 ///
 /// Cost: that of `self_collide` without a filter, O(T + C log C) for C pairs of intersecting
 /// triangles, and one ray for each connected part of the surface. Opens all nodes. Pairs that only
 /// touch cost several times as much as others.
 ///
-/// The first query with a surface also takes 1.5 times as long as `build_self_filter`, and
-/// allocates 44 to 57 bytes per triangle of a character, which copies of the surface share. For
+/// The first query with a model also takes 1.5 times as long as `build_self_filter`, and
+/// allocates 44 to 57 bytes per triangle of a character, which copies of the model share. For
 /// `Scratch::reserve`, contacts are those of `self_collide`. Pairs of triangles also count as
 /// contacts if they have corners in one position that are one surface vertex, but have different
 /// influences.
@@ -166,8 +163,7 @@ PELT_API QueryStats volume(Pose& pose, const Surface& surface, Volume& result);
 /// Source: winding numbers spread over the surface from one triangle of each connected part, as in
 /// Zhou et al., "Mesh arrangements for solid geometry" (2016), but the surface is never cut. The
 /// perturbation is that of Edelsbrunner & Muecke, "Simulation of simplicity" (1990).
-PELT_API QueryStats self_intersection_volume(Pose& pose, const Surface& surface, Scratch& scratch,
-                                             Volume& result);
+PELT_API QueryStats self_intersection_volume(Pose& pose, Scratch& scratch, Volume& result);
 
 /// Writes the volume of the intersection of two bodies: the integral of w_a w_b over space, where
 /// w_a and w_b are the winding numbers of the posed surfaces. If neither surface intersects itself,
@@ -184,9 +180,8 @@ PELT_API QueryStats self_intersection_volume(Pose& pose, const Surface& surface,
 /// contribute, where n is their number. Exchanging `a` and `b` may change the result within the
 /// stated errors.
 ///
-/// Preconditions (otherwise the program aborts, in every build):
-/// `a`, `b`: different poses.
-/// `surface_a`, `surface_b`: closed, and of the models of `a` and `b`.
+/// Precondition: `a` and `b` are different poses, and their surfaces are closed. Otherwise the
+/// program aborts, in every build.
 ///
 /// Cost: that of `collide`, and O(C log C) for C pairs of intersecting triangles. The query then
 /// tests the boxes of each body against the surface of the other body, and casts one ray for each
@@ -198,7 +193,6 @@ PELT_API QueryStats self_intersection_volume(Pose& pose, const Surface& surface,
 /// W. R. Franklin, "Polygon properties calculated from the vertex neighborhoods" (1987). The parts
 /// are never constructed. The perturbation is that of Edelsbrunner & Muecke, "Simulation of
 /// simplicity" (1990).
-PELT_API QueryStats intersection_volume(Pose& a, const Surface& surface_a, Pose& b,
-                                        const Surface& surface_b, Scratch& scratch, Volume& result);
+PELT_API QueryStats intersection_volume(Pose& a, Pose& b, Scratch& scratch, Volume& result);
 
 }  // namespace pelt

@@ -17,6 +17,8 @@ namespace detail {
 struct Model;
 }
 
+class Surface;
+
 /// Policy for vertices whose sum of weights differs from 1 by more than 2^-7. A difference of at
 /// most 2^-7 counts as rounding by the exporter. With either policy, `build_model` removes such a
 /// difference: it divides the weights by their sum.
@@ -86,7 +88,14 @@ class PELT_API SkinnedModel {
   std::uint32_t morph_target_count() const;
   const BuildReport& report() const;
 
-  /// Bytes of the data that all copies share: vertices, triangles, tree and bounds.
+  /// Returns how the triangles are connected (pelt/surface.hpp). The first call, or the first query
+  /// that needs the surface, computes it, in O(T log T), and allocates about 14 bytes per triangle.
+  /// Copies of the model share it. Safe from any number of threads; answers do not depend on the
+  /// first caller.
+  Surface surface() const;
+
+  /// Bytes of the data that all copies share: vertices, triangles, tree and bounds, but not the
+  /// surface.
   std::size_t memory_bytes() const;
 
   /// For internal use.

@@ -21,16 +21,12 @@ namespace detail {
 struct Surface;
 }
 
-/// Adjacency of the triangles of a model, and the main joint of each triangle. The main joint is
-/// the joint with the largest sum of weights over the triangle's vertices; of equal sums, the
-/// lowest joint. Create one surface per model. Immutable, cheap to copy (copies share the data),
-/// safe to use from any number of threads.
+/// How the triangles of a model are connected, and the main joint of each triangle: the joint with
+/// the largest sum of weights over the triangle's vertices; of equal sums, the lowest joint.
+/// `SkinnedModel::surface` returns it, and queries that need it find it themselves. Immutable,
+/// cheap to copy (copies share the data and the model), safe to use from any number of threads.
 class PELT_API Surface {
  public:
-  /// Cost: O(T log T). Allocates. The surface takes about 14 bytes per triangle. The first
-  /// `self_intersection_volume` adds 44 to 57 bytes.
-  explicit Surface(const SkinnedModel& model);
-
   /// Whether the surface is closed: each edge belongs to exactly two triangles, which traverse the
   /// edge in opposite directions. A closed surface separates inside from outside in every pose.
   ///
@@ -39,9 +35,8 @@ class PELT_API Surface {
   /// not closed.
   bool is_closed() const;
 
-  const SkinnedModel& model() const;
-
   /// For internal use.
+  explicit Surface(std::shared_ptr<const detail::Surface> surface);
   const detail::Surface& detail() const { return *surface_; }
 
  private:
@@ -169,20 +164,18 @@ struct ContactGeometry {
 /// Preconditions:
 /// `a`, `b`: the poses that were passed to `collide`, with unchanged palettes and morph weights.
 ///   Passing one pose twice aborts the program, in every build.
-/// `surface_a`, `surface_b`: surfaces of the models of `a` and `b`. Passing a surface of another
-///   model aborts the program, in every build.
 /// `contacts`: ascending, without repetition, with triangle indices in range.
 ///
 /// Cost: O(C log C) for C contacts. Opens the nodes that contain the contacts, unless they are
 /// still open from `collide`.
 ///
-/// Allocates in the poses, for nodes that are opened. Also allocates in `scratch` and `geometry` if
+/// Allocates in the poses, for nodes that are opened, and the surfaces of the models, if
+/// `SkinnedModel::surface` has not made them yet. Also allocates in `scratch` and `geometry` if
 /// there are more contacts, curves or patches than in any earlier call; `Scratch::reserve` does not
 /// prevent this.
 ///
 /// If memory runs out, the contents of `geometry` are unspecified.
-PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b,
-                                      const Surface& surface_b, std::span<const Contact> contacts,
+PELT_API QueryStats describe_contacts(Pose& a, Pose& b, std::span<const Contact> contacts,
                                       Scratch& scratch, ContactGeometry& geometry);
 
 /// Like the function above, for contacts of a pose with itself, which `self_collide` has found. A
@@ -206,14 +199,11 @@ PELT_API QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b
 ///
 /// Preconditions:
 /// `pose`: the pose that was passed to `self_collide`, with unchanged palette and morph weights.
-/// `surface`: a surface of the model of `pose`. Passing a surface of another model aborts the
-///   program, in every build.
 /// `contacts`: ascending, without repetition, with triangle indices in range and triangle_a <
 ///   triangle_b.
 ///
 /// Cost and allocation: those of the function above.
-PELT_API QueryStats describe_contacts(Pose& pose, const Surface& surface,
-                                      std::span<const Contact> contacts, Scratch& scratch,
-                                      ContactGeometry& geometry);
+PELT_API QueryStats describe_contacts(Pose& pose, std::span<const Contact> contacts,
+                                      Scratch& scratch, ContactGeometry& geometry);
 
 }  // namespace pelt

@@ -71,24 +71,18 @@ QueryStats describe(const detail::PosedTree& a, const detail::PosedTree& b,
 
 }  // namespace
 
-QueryStats describe_contacts(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                             std::span<const Contact> contacts, Scratch& scratch,
+QueryStats describe_contacts(Pose& a, Pose& b, std::span<const Contact> contacts, Scratch& scratch,
                              ContactGeometry& geometry) {
-  detail::require(
-      &a != &b, "describe_contacts: `a` and `b` are the same pose; give one pose and one surface");
-  detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
-                  "describe_contacts: a surface belongs to another model than its pose");
+  detail::require(&a != &b, "describe_contacts: `a` and `b` are the same pose; give one pose");
   return describe(a.detail().posed_tree(), b.detail().posed_tree(),
-                  {surface_a.detail(), surface_b.detail()}, contacts, scratch, geometry);
+                  {detail::surface_of(a), detail::surface_of(b)}, contacts, scratch, geometry);
 }
 
-QueryStats describe_contacts(Pose& pose, const Surface& surface, std::span<const Contact> contacts,
-                             Scratch& scratch, ContactGeometry& geometry) {
-  detail::require(detail::is_surface_of(surface, pose),
-                  "describe_contacts: the surface belongs to another model than the pose");
+QueryStats describe_contacts(Pose& pose, std::span<const Contact> contacts, Scratch& scratch,
+                             ContactGeometry& geometry) {
+  const detail::Surface& surface = detail::surface_of(pose);
   const detail::PosedTree posed = pose.detail().posed_tree();
-  return describe(posed, posed, {surface.detail(), surface.detail(), true}, contacts, scratch,
-                  geometry);
+  return describe(posed, posed, {surface, surface, true}, contacts, scratch, geometry);
 }
 
 }  // namespace pelt

@@ -35,13 +35,8 @@ Box box_of(const OpenedNode& opened, std::uint32_t slot) {
 
 class DeepestVertex {
  public:
-  DeepestVertex(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                Scratch& scratch)
-      : a_(a.detail().posed_tree()),
-        surface_a_(surface_a.detail()),
-        b_(b),
-        surface_b_(surface_b),
-        scratch_(scratch) {}
+  DeepestVertex(Pose& a, Pose& b, Scratch& scratch)
+      : a_(a.detail().posed_tree()), surface_a_(detail::surface_of(a)), b_(b), scratch_(scratch) {}
 
   QueryStats run(Penetration& deepest) {
     make_table(a_);
@@ -63,7 +58,7 @@ class DeepestVertex {
 
   bool is_inside(const Vec3& point) {
     PointSide side = PointSide::outside;
-    work_ += side_of(b_, surface_b_, point, scratch_, side);
+    work_ += side_of(b_, point, scratch_, side);
     return side == PointSide::inside;
   }
 
@@ -114,7 +109,6 @@ class DeepestVertex {
   const PosedTree a_;
   const detail::Surface& surface_a_;
   Pose& b_;
-  const Surface& surface_b_;
   Scratch& scratch_;
   QueryStats work_;
   Penetration deepest_;
@@ -122,13 +116,11 @@ class DeepestVertex {
 
 }  // namespace
 
-QueryStats deepest_vertex(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                          Scratch& scratch, Penetration& result) {
+QueryStats deepest_vertex(Pose& a, Pose& b, Scratch& scratch, Penetration& result) {
   detail::require(&a != &b, "deepest_vertex: `a` and `b` are the same pose; give two poses");
-  detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
-                  "deepest_vertex: a surface belongs to another model than its pose");
-  detail::require(surface_b.is_closed(), "deepest_vertex: the surface of `b` is not closed");
-  return DeepestVertex(a, surface_a, b, surface_b, scratch).run(result);
+  detail::require(detail::surface_of(b).is_closed,
+                  "deepest_vertex: the surface of `b` is not closed");
+  return DeepestVertex(a, b, scratch).run(result);
 }
 
 }  // namespace pelt

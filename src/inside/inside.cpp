@@ -48,11 +48,8 @@ QueryStats locate(Pose& pose, const Vec3& point, Scratch& scratch, Location& res
 
 }  // namespace
 
-QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
-                   PointSide& result) {
-  detail::require(detail::is_surface_of(surface, pose),
-                  "side_of: the surface belongs to another model than the pose");
-  detail::require(surface.is_closed(), "side_of: the surface is not closed");
+QueryStats side_of(Pose& pose, const Vec3& point, Scratch& scratch, PointSide& result) {
+  detail::require(detail::surface_of(pose).is_closed, "side_of: the surface is not closed");
   detail::require(detail::is_finite(point), "side_of: the point is NaN or infinite");
   Location location;
   const QueryStats work = locate(pose, point, scratch, location);
@@ -62,11 +59,8 @@ QueryStats side_of(Pose& pose, const Surface& surface, const Vec3& point, Scratc
   return work;
 }
 
-QueryStats winding_number(Pose& pose, const Surface& surface, const Vec3& point, Scratch& scratch,
-                          std::int32_t& result) {
-  detail::require(detail::is_surface_of(surface, pose),
-                  "winding_number: the surface belongs to another model than the pose");
-  detail::require(surface.is_closed(), "winding_number: the surface is not closed");
+QueryStats winding_number(Pose& pose, const Vec3& point, Scratch& scratch, std::int32_t& result) {
+  detail::require(detail::surface_of(pose).is_closed, "winding_number: the surface is not closed");
   detail::require(detail::is_finite(point), "winding_number: the point is NaN or infinite");
   Location location;
   const QueryStats work = locate(pose, point, scratch, location);
@@ -76,21 +70,15 @@ QueryStats winding_number(Pose& pose, const Surface& surface, const Vec3& point,
 
 namespace {
 
-/// A pose with its surface, as callers name them.
-struct Body {
-  Pose& pose;
-  const Surface& surface;
-};
-
 /// Whether all components of `inner` are inside `outer`. If the surfaces do not touch, all points
 /// of a component are on the same side.
-bool holds(const Body& outer, const Body& inner, Scratch& scratch, QueryStats& work) {
-  if (!outer.surface.is_closed()) return false;
-  detail::TriangleReader triangles(inner.pose.detail().posed_tree());
-  for (const std::uint32_t triangle : inner.surface.detail().components) {
+bool holds(Pose& outer, Pose& inner, Scratch& scratch, QueryStats& work) {
+  if (!detail::surface_of(outer).is_closed) return false;
+  detail::TriangleReader triangles(inner.detail().posed_tree());
+  for (const std::uint32_t triangle : detail::surface_of(inner).components) {
     const Vec3 corner = triangles.corners(triangle, work)[0];
     PointSide side = PointSide::outside;
-    work += side_of(outer.pose, outer.surface, corner, scratch, side);
+    work += side_of(outer, corner, scratch, side);
     if (side != PointSide::inside) return false;
   }
   return true;
@@ -98,19 +86,15 @@ bool holds(const Body& outer, const Body& inner, Scratch& scratch, QueryStats& w
 
 }  // namespace
 
-QueryStats containment(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                       Scratch& scratch, Containment& result) {
+QueryStats containment(Pose& a, Pose& b, Scratch& scratch, Containment& result) {
   detail::require(&a != &b, "containment: `a` and `b` are the same pose; give two poses");
-  detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
-                  "containment: a surface belongs to another model than its pose");
-  const Body body_a = {a, surface_a}, body_b = {b, surface_b};
   result = Containment::none;
   const YesNo touch = intersects(a, b, scratch);
   QueryStats work = touch;
   if (touch) return work;
-  if (holds(body_b, body_a, scratch, work)) {
+  if (holds(b, a, scratch, work)) {
     result = Containment::a_in_b;
-  } else if (holds(body_a, body_b, scratch, work)) {
+  } else if (holds(a, b, scratch, work)) {
     result = Containment::b_in_a;
   }
   return work;

@@ -2,16 +2,23 @@
 
 #include <pelt/model.hpp>
 
+#include "base/made_once.hpp"
 #include "model/node_bounds.hpp"
 #include "model/tree.hpp"
 
 namespace pelt::detail {
+
+struct Surface;
 
 /// The data that copies of a SkinnedModel share.
 struct Model {
   Tree tree;
   NodeBounds bounds;
   BuildReport report;
+  MadeOnce<Surface> lazy_surface;
+
+  /// See SkinnedModel::surface. Precondition: the model stays where it is.
+  const Surface& surface() const;
 };
 
 /// Calls `visit(array)` for each array of a model, in the order of a prepared file.

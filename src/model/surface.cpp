@@ -50,20 +50,26 @@ bool edges_pair_up(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-Surface::Surface(const SkinnedModel& m) : model(m) {
-  SkinnedMesh mesh = unpack_mesh(model.detail().tree);
+Surface::Surface(const Model& m) : model(m) {
+  SkinnedMesh mesh = unpack_mesh(model.tree);
   joints = main_joints(mesh);
   components = find_components(mesh.triangles, mesh.vertex_count());
   corners = std::move(mesh.triangles);
   is_closed = edges_pair_up(corners);
 }
 
+const Surface& Model::surface() const {
+  return lazy_surface.get([this] { return std::make_shared<const Surface>(*this); });
+}
+
 }  // namespace detail
 
-Surface::Surface(const SkinnedModel& model)
-    : surface_(std::make_shared<const detail::Surface>(model)) {}
+Surface::Surface(std::shared_ptr<const detail::Surface> surface) : surface_(std::move(surface)) {}
 
 bool Surface::is_closed() const { return surface_->is_closed; }
-const SkinnedModel& Surface::model() const { return surface_->model; }
+
+Surface SkinnedModel::surface() const {
+  return Surface(std::shared_ptr<const detail::Surface>(model_, &model_->surface()));
+}
 
 }  // namespace pelt

@@ -151,8 +151,13 @@ struct NamedEdge {
   }
 };
 
+/// The model owns the surface, which owns the spread: an owner here would make a circle.
+SkinnedModel borrowed(const Model& model) {
+  return SkinnedModel(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model));
+}
+
 std::vector<NamedEdge> sorted_edges(const Surface& surface) {
-  const std::vector<std::uint32_t>& ids = surface.model.detail().tree.triangle_ids;
+  const std::vector<std::uint32_t>& ids = surface.model.tree.triangle_ids;
   std::vector<NamedEdge> edges;
   edges.reserve(3 * ids.size());
   for (std::uint32_t place = 0; place < ids.size(); ++place) {
@@ -202,12 +207,10 @@ std::vector<SpreadingStep> spreading_steps(const Surface& surface) {
 }  // namespace
 
 WindingSpread::WindingSpread(const Surface& surface)
-    : neighbours(surface.model, SelfFilterOptions()), steps(spreading_steps(surface)) {}
+    : neighbours(borrowed(surface.model), SelfFilterOptions()), steps(spreading_steps(surface)) {}
 
 const WindingSpread& spread_of(const Surface& surface) {
-  std::call_once(surface.spread_is_made,
-                 [&] { surface.spread = std::make_shared<const WindingSpread>(surface); });
-  return *surface.spread;
+  return surface.lazy_spread.get([&] { return std::make_shared<const WindingSpread>(surface); });
 }
 
 }  // namespace pelt::detail

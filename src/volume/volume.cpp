@@ -95,34 +95,26 @@ Rounded whole_flux(const PosedTree& posed, QueryStats& work) {
 
 }  // namespace
 
-QueryStats volume(Pose& pose, const Surface& surface, Volume& result) {
-  detail::require(detail::is_surface_of(surface, pose),
-                  "volume: the surface belongs to another model than the pose");
-  detail::require(surface.is_closed(), "volume: the surface is not closed");
+QueryStats volume(Pose& pose, Volume& result) {
+  detail::require(detail::surface_of(pose).is_closed, "volume: the surface is not closed");
   QueryStats work;
   result = volume_of(whole_flux(pose.detail().posed_tree(), work));
   return work;
 }
 
-QueryStats self_intersection_volume(Pose& pose, const Surface& surface, Scratch& scratch,
-                                    Volume& result) {
-  detail::require(detail::is_surface_of(surface, pose),
-                  "self_intersection_volume: the surface belongs to another model than the pose");
-  detail::require(surface.is_closed(), "self_intersection_volume: the surface is not closed");
+QueryStats self_intersection_volume(Pose& pose, Scratch& scratch, Volume& result) {
+  const detail::Surface& surface = detail::surface_of(pose);
+  detail::require(surface.is_closed, "self_intersection_volume: the surface is not closed");
   detail::require(pose.model().triangle_count() <= detail::kMaxFanTriangles,
                   "self_intersection_volume: the model has more than 2^28 triangles");
   QueryStats work;
-  result =
-      volume_of(self_flux(pose.detail().posed_tree(), surface.detail(), scratch.detail(), work));
+  result = volume_of(self_flux(pose.detail().posed_tree(), surface, scratch.detail(), work));
   return work;
 }
 
-QueryStats intersection_volume(Pose& a, const Surface& surface_a, Pose& b, const Surface& surface_b,
-                               Scratch& scratch, Volume& result) {
+QueryStats intersection_volume(Pose& a, Pose& b, Scratch& scratch, Volume& result) {
   detail::require(&a != &b, "intersection_volume: `a` and `b` are the same pose; give two poses");
-  detail::require(detail::is_surface_of(surface_a, a) && detail::is_surface_of(surface_b, b),
-                  "intersection_volume: a surface belongs to another model than its pose");
-  detail::require(surface_a.is_closed() && surface_b.is_closed(),
+  detail::require(detail::surface_of(a).is_closed && detail::surface_of(b).is_closed,
                   "intersection_volume: a surface is not closed");
   QueryStats work;
   result = {};

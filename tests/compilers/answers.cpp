@@ -146,9 +146,8 @@ void add_contacts(Pose& a, Pose& b, Scratch& scratch, Answers& answers) {
     answers.add("collide", contact.triangle_a, contact.triangle_b);
   answers.found(!contacts.empty());
 
-  const Surface surface_a(a.model()), surface_b(b.model());
   ContactGeometry geometry;
-  describe_contacts(a, surface_a, b, surface_b, contacts, scratch, geometry);
+  describe_contacts(a, b, contacts, scratch, geometry);
   for (const ContactTrace& trace : geometry.traces) {
     answers.add("describe", trace.from);
     answers.add("describe", trace.to);
@@ -168,7 +167,6 @@ void add_distances(Pose& a, Pose& b, Scratch& scratch, Answers& answers) {
 }
 
 void add_points(Random& random, Pose& pose, Scratch& scratch, Answers& answers) {
-  const Surface surface(pose.model());
   for (int i = 0; i < 20; ++i) {
     const Vec3 point = random.point(2);
     ClosestPoint closest;
@@ -179,9 +177,9 @@ void add_points(Random& random, Pose& pose, Scratch& scratch, Answers& answers) 
     answers.add("cast", cast(pose, segment(point, random.point(2)), hit));
     answers.add("cast", hit.triangle, hit.t, hit.barycentrics[0]);
     answers.found(static_cast<bool>(hit));
-    if (!surface.is_closed()) continue;
+    if (!pose.model().surface().is_closed()) continue;
     PointSide side = PointSide::outside;
-    answers.add("side", side_of(pose, surface, point, scratch, side));
+    answers.add("side", side_of(pose, point, scratch, side));
     answers.add("side", static_cast<std::uint8_t>(side));
     answers.found(side == PointSide::inside);
   }

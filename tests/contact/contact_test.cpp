@@ -18,15 +18,14 @@ namespace {
 
 using detail::Vec3d;
 
-/// A posed model and its surface.
+/// A posed model.
 struct Body {
   explicit Body(const Shape& shape) : Body(*build_model(shape.view())) {}
-  explicit Body(const SkinnedModel& model) : pose(model), surface(model) {}
+  explicit Body(const SkinnedModel& model) : pose(model) {}
 
   void set(const std::vector<Matrix4>& palette) { ASSERT_TRUE(pose.set_palette(palette)); }
 
   Pose pose;
-  Surface surface;
 };
 
 ContactGeometry geometry_of(Body& a, Body& b) {
@@ -34,7 +33,7 @@ ContactGeometry geometry_of(Body& a, Body& b) {
   std::vector<Contact> contacts;
   collide(a.pose, b.pose, scratch, contacts);
   ContactGeometry geometry;
-  describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, geometry);
+  describe_contacts(a.pose, b.pose, contacts, scratch, geometry);
   EXPECT_EQ(geometry.traces.size(), contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i)
     EXPECT_EQ(geometry.traces[i].contact, contacts[i]);
@@ -97,7 +96,7 @@ void check_patches(const ContactGeometry& geometry) {
 TEST(Contact, CurvesOfClosedSurfacesAreClosed) {
   Random random(5);
   Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
-  ASSERT_TRUE(a.surface.is_closed() && b.surface.is_closed());
+  ASSERT_TRUE(a.pose.model().surface().is_closed() && b.pose.model().surface().is_closed());
   std::size_t curves = 0, hits = 0;
   for (int i = 0; i < 60; ++i) {
     a.set(bend_limb(random, 4, 0.7, {0, 0, 0}));
@@ -382,9 +381,9 @@ TEST(Contact, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
     collide(a.pose, b.pose, scratch, contacts);
     ASSERT_FALSE(contacts.empty());
     ContactGeometry geometry;
-    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, geometry);
+    describe_contacts(a.pose, b.pose, contacts, scratch, geometry);
     const std::uint64_t before = allocation_count();
-    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, geometry);
+    describe_contacts(a.pose, b.pose, contacts, scratch, geometry);
     EXPECT_EQ(allocation_count(), before);
     if (first.empty()) first = geometry.traces;
     ASSERT_EQ(geometry.traces.size(), first.size());

@@ -21,19 +21,15 @@
 namespace pelt::test {
 namespace {
 
-/// A posed model, its surface and its filter.
+/// A posed model and its filter.
 struct Body {
   explicit Body(const Shape& s)
-      : shape(s),
-        pose(*build_model(s.view())),
-        surface(pose.model()),
-        filter(*build_self_filter(pose.model())) {}
+      : shape(s), pose(*build_model(s.view())), filter(*build_self_filter(pose.model())) {}
 
   void set(const std::vector<Matrix4>& palette) { ASSERT_TRUE(pose.set_palette(palette)); }
 
   Shape shape;
   Pose pose;
-  Surface surface;
   SelfFilter filter;
 };
 
@@ -42,7 +38,7 @@ ContactGeometry geometry_of(Body& body) {
   std::vector<Contact> contacts;
   self_collide(body.pose, body.filter, scratch, contacts);
   ContactGeometry geometry;
-  describe_contacts(body.pose, body.surface, contacts, scratch, geometry);
+  describe_contacts(body.pose, contacts, scratch, geometry);
   EXPECT_EQ(geometry.traces.size(), contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i)
     EXPECT_EQ(geometry.traces[i].contact, contacts[i]);
@@ -161,7 +157,7 @@ TEST(SelfContact, OfTwoPartsEqualsThatOfTwoPoses) {
     std::vector<Contact> contacts;
     collide(a.pose, b.pose, scratch, contacts);
     ContactGeometry expected;
-    describe_contacts(a.pose, a.surface, b.pose, b.surface, contacts, scratch, expected);
+    describe_contacts(a.pose, b.pose, contacts, scratch, expected);
 
     const ContactGeometry geometry = geometry_of(both);
     check_curves(geometry);
@@ -380,9 +376,9 @@ TEST(SelfContact, IsTheSameOnEveryInstructionSetAndAllocatesNothingTheSecondTime
     self_collide(body.pose, body.filter, scratch, contacts);
     ASSERT_GT(contacts.size(), 20u);
     ContactGeometry geometry;
-    describe_contacts(body.pose, body.surface, contacts, scratch, geometry);
+    describe_contacts(body.pose, contacts, scratch, geometry);
     const std::uint64_t before = allocation_count();
-    describe_contacts(body.pose, body.surface, contacts, scratch, geometry);
+    describe_contacts(body.pose, contacts, scratch, geometry);
     EXPECT_EQ(allocation_count(), before);
     if (first.empty()) first = geometry.patches;
     ASSERT_EQ(geometry.patches.size(), first.size());

@@ -17,12 +17,9 @@ std::vector<std::uint32_t> brushed(pelt::Pose& pose, const pelt::Sphere& brush,
 int picked_joint(pelt::Pose& pose, const pelt::Vec3& eye, const pelt::Vec3& far_away);
 double gap(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch, pelt::Distance& closest);
 pelt::Vec3 closest_position(pelt::Pose& pose, const pelt::Vec3& target, pelt::Scratch& scratch);
-std::vector<pelt::ContactPatch> pushes(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
-                                       const pelt::Surface& surface_b, pelt::Scratch& scratch);
-double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
-                const pelt::Surface& surface_b, pelt::Scratch& scratch);
-double share_inside(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
-                    const pelt::Surface& surface_b, pelt::Scratch& scratch);
+std::vector<pelt::ContactPatch> pushes(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch);
+double depth_in(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch);
+double share_inside(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch);
 float first_touch(pelt::Motion sword, pelt::Motion arm, pelt::Scratch& scratch);
 std::vector<pelt::MovingContact> new_touches(pelt::Motion sword, pelt::Motion arm,
                                              pelt::Scratch& scratch);
@@ -49,8 +46,7 @@ pelt::Verdict touch_in_time(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch
 pelt::OpenRegion least_known(const pelt::CollisionSearch& search);
 pelt::Result<pelt::SelfFilter> only_new(pelt::Pose& rest, pelt::Scratch& scratch);
 std::vector<pelt::ContactPatch> cuts(pelt::Pose& pose, const pelt::SelfFilter& filter,
-                                     const pelt::Surface& surface, pelt::Scratch& scratch,
-                                     pelt::LeftOut& left_out);
+                                     pelt::Scratch& scratch, pelt::LeftOut& left_out);
 void find_self_contacts(pelt::Pose& pose, pelt::SelfTracker& tracker, pelt::Scratch& scratch,
                         std::vector<pelt::Contact>& contacts);
 
@@ -121,12 +117,10 @@ TEST_F(QueryExamples, Search) {
 
 TEST_F(QueryExamples, Contact) {
   Pose other(limb());
-  const Surface surface(pose_.model());
-  const Surface surface_of_other(other.model());
   ASSERT_TRUE(other.set_palette(moved(3)));
-  EXPECT_TRUE(pushes(pose_, surface, other, surface_of_other, scratch_).empty());
+  EXPECT_TRUE(pushes(pose_, other, scratch_).empty());
   ASSERT_TRUE(other.set_palette(moved(0.05f)));
-  const auto patches = pushes(pose_, surface, other, surface_of_other, scratch_);
+  const auto patches = pushes(pose_, other, scratch_);
   ASSERT_FALSE(patches.empty());
   EXPECT_GT(patches[0].depth, 0);
 }
@@ -147,16 +141,15 @@ TEST_F(QueryExamples, SelfCollide) {
   shape.weights.insert(shape.weights.end(), shape.weights.begin(), shape.weights.end());
 
   Pose pose(*build_model(shape.view()));
-  const Surface surface(pose.model());
   const Result<SelfFilter> filter = only_new(pose, scratch_);
   ASSERT_TRUE(filter);
   LeftOut left_out;
-  EXPECT_TRUE(cuts(pose, *filter, surface, scratch_, left_out).empty());
+  EXPECT_TRUE(cuts(pose, *filter, scratch_, left_out).empty());
   EXPECT_GT(left_out.at_rest, 10u);
   std::vector<Matrix4> palette(2);
   palette[1].m[12] = -0.25f;  // moves the second limb into the first
   ASSERT_TRUE(pose.set_palette(palette));
-  const auto patches = cuts(pose, *filter, surface, scratch_, left_out);
+  const auto patches = cuts(pose, *filter, scratch_, left_out);
   ASSERT_FALSE(patches.empty());
   EXPECT_EQ(patches[0].joint_a, 0);
   EXPECT_EQ(patches[0].joint_b, 1);
@@ -170,25 +163,22 @@ TEST_F(QueryExamples, SelfCollide) {
 
 TEST_F(QueryExamples, Inside) {
   Pose other(limb());
-  const Surface surface(pose_.model());
-  const Surface surface_of_other(other.model());
-  ASSERT_TRUE(surface_of_other.is_closed());
+  ASSERT_TRUE(other.model().surface().is_closed());
   ASSERT_TRUE(other.set_palette(moved(3)));
-  EXPECT_EQ(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
+  EXPECT_EQ(depth_in(pose_, other, scratch_), 0);
   ASSERT_TRUE(other.set_palette(moved(0.05f)));
-  EXPECT_GT(depth_in(pose_, surface, other, surface_of_other, scratch_), 0);
+  EXPECT_GT(depth_in(pose_, other, scratch_), 0);
 }
 
 TEST_F(QueryExamples, Volume) {
   Pose other(limb());
-  const Surface surface(pose_.model()), surface_of_other(other.model());
-  EXPECT_NEAR(share_inside(pose_, surface, other, surface_of_other, scratch_), 1, 1e-12);
+  EXPECT_NEAR(share_inside(pose_, other, scratch_), 1, 1e-12);
   ASSERT_TRUE(other.set_palette(moved(0.05f)));
-  const double share = share_inside(pose_, surface, other, surface_of_other, scratch_);
+  const double share = share_inside(pose_, other, scratch_);
   EXPECT_GT(share, 0.1);
   EXPECT_LT(share, 0.9);
   ASSERT_TRUE(other.set_palette(moved(3)));
-  EXPECT_EQ(share_inside(pose_, surface, other, surface_of_other, scratch_), 0);
+  EXPECT_EQ(share_inside(pose_, other, scratch_), 0);
 }
 
 TEST_F(QueryExamples, Terrain) {

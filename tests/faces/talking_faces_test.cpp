@@ -178,19 +178,18 @@ TEST_F(TalkingFaces, AreClosestWhereAllTrianglesAre) {
 }
 
 TEST_F(TalkingFaces, AreEnteredByTheVertexThatIsDeepest) {
-  const Surface of_a(a.pose.model()), of_b(b.pose.model());
   int entered = 0;
   for (int frame = 0; frame < kFrames; ++frame) {
     play(frame);
     double expected = 0;
     for (const Vec3& position : a.positions) {
-      if (test::point_side(b.pose, of_b, position, scratch) != PointSide::inside) continue;
+      if (test::point_side(b.pose, position, scratch) != PointSide::inside) continue;
       ClosestPoint closest;
       closest_point(b.pose, position, scratch, closest);
       expected = std::max(expected, closest.distance);
     }
     Penetration deepest;
-    deepest_vertex(a.pose, of_a, b.pose, of_b, scratch, deepest);
+    deepest_vertex(a.pose, b.pose, scratch, deepest);
     EXPECT_EQ(deepest.depth, expected) << frame;
     entered += bool(deepest);
   }

@@ -122,7 +122,7 @@ void ask_contacts(Question& q) {
 void ask_contact_geometry(Question& q) {
   const std::vector<Contact> found = contacts_of(q);
   ContactGeometry geometry;
-  describe_contacts(q.a.pose, q.a.surface, q.b.pose, q.b.surface, found, q.scratch, geometry);
+  describe_contacts(q.a.pose, q.b.pose, found, q.scratch, geometry);
   require(geometry.traces.size() == found.size(), "describe_contacts leaves contacts out");
   for (std::size_t i = 0; i < found.size(); ++i) {
     require(geometry.traces[i].contact == found[i], "the contact of a trace");

@@ -160,7 +160,6 @@ std::optional<FuzzedBody> make_body(FuzzBytes& bytes, Posing posing) {
                   std::move(palette),
                   std::move(weights),
                   std::move(pose),
-                  Surface(*model),
                   std::move(posed),
                   posing,
                   {}};

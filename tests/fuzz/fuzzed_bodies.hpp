@@ -52,7 +52,6 @@ struct FuzzedBody {
   std::vector<Matrix4> palette;
   std::vector<float> morph_weights;
   Pose pose;
-  Surface surface;
   std::vector<Vec3> posed;
   Posing posing = Posing::joints;
   std::vector<Vec3> offsets;  ///< the pose borrows them

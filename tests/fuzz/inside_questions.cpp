@@ -21,7 +21,7 @@ Goal point_inside("side_of: inside"), point_on("side_of: on"), point_outside("si
 PointSide expected_side(Question& q, FuzzedBody& body, const Vec3& point) {
   if (q.a.is_small() && q.b.is_small())
     return ExactWinding(body.posed, body.shape.triangles).side_of(point);
-  return point_side(body.pose, body.surface, point, q.scratch);
+  return point_side(body.pose, point, q.scratch);
 }
 
 /// Ascending, without repetition.
@@ -44,7 +44,7 @@ double distance_from(const FuzzedBody& body, const Vec3& point) {
 
 /// Whether all of `inner`, which does not touch `outer`, is inside.
 bool is_inside(Question& q, const FuzzedBody& inner, FuzzedBody& outer) {
-  if (!outer.surface.is_closed()) return false;
+  if (!outer.pose.model().surface().is_closed()) return false;
   const auto used = used_vertices(inner);
   return std::all_of(used.begin(), used.end(), [&](std::uint32_t vertex) {
     return expected_side(q, outer, inner.posed[vertex]) == PointSide::inside;
@@ -61,8 +61,8 @@ Containment expected_containment(Question& q) {
 
 void ask_side(Question& q) {
   const Vec3 point = point_near(q.bytes, q.a);
-  if (!q.b.surface.is_closed()) return;
-  const PointSide side = point_side(q.b.pose, q.b.surface, point, q.scratch);
+  if (!q.b.pose.model().surface().is_closed()) return;
+  const PointSide side = point_side(q.b.pose, point, q.scratch);
   require(side == expected_side(q, q.b, point), "side_of");
   (side == PointSide::inside ? point_inside
    : side == PointSide::on   ? point_on
@@ -71,7 +71,7 @@ void ask_side(Question& q) {
 }
 
 void ask_deepest_vertex(Question& q) {
-  if (!q.b.surface.is_closed()) return;
+  if (!q.b.pose.model().surface().is_closed()) return;
   Penetration expected;
   for (const std::uint32_t vertex : used_vertices(q.a)) {
     if (expected_side(q, q.b, q.a.posed[vertex]) != PointSide::inside) continue;
@@ -79,7 +79,7 @@ void ask_deepest_vertex(Question& q) {
     if (!expected || depth > expected.depth) expected = {vertex, q.a.posed[vertex], {}, depth};
   }
   Penetration found;
-  deepest_vertex(q.a.pose, q.a.surface, q.b.pose, q.b.surface, q.scratch, found);
+  deepest_vertex(q.a.pose, q.b.pose, q.scratch, found);
   require(found.vertex == expected.vertex && found.position == expected.position, "deepest_vertex");
   require(found.depth == expected.depth, "the depth of deepest_vertex");
   (found ? deepest_found : deepest_none).reach();
@@ -87,7 +87,7 @@ void ask_deepest_vertex(Question& q) {
 
 void ask_containment(Question& q) {
   Containment found = Containment::none;
-  containment(q.a.pose, q.a.surface, q.b.pose, q.b.surface, q.scratch, found);
+  containment(q.a.pose, q.b.pose, q.scratch, found);
   require(found == expected_containment(q), "containment");
   (found == Containment::none ? not_contained : contained).reach();
 }

@@ -23,10 +23,8 @@ namespace {
 class Body {
  public:
   explicit Body(const std::vector<Triangle>& triangles, std::uint32_t vertex_count)
-      : triangles_(triangles),
-        pose_(*build_model(make_pinned(vertex_count, triangles).view())),
-        surface_(pose_.model()) {
-    EXPECT_TRUE(surface_.is_closed());
+      : triangles_(triangles), pose_(*build_model(make_pinned(vertex_count, triangles).view())) {
+    EXPECT_TRUE(pose_.model().surface().is_closed());
   }
 
   void set(const std::vector<Vec3>& positions) {
@@ -37,11 +35,11 @@ class Body {
     positions_ = positions;
   }
 
-  PointSide side_of(const Vec3& point) { return point_side(pose_, surface_, point, scratch_); }
+  PointSide side_of(const Vec3& point) { return point_side(pose_, point, scratch_); }
 
   std::int32_t winding_number(const Vec3& point) {
     std::int32_t result = 77;
-    pelt::winding_number(pose_, surface_, point, scratch_, result);
+    pelt::winding_number(pose_, point, scratch_, result);
     return result;
   }
 
@@ -56,7 +54,6 @@ class Body {
  private:
   std::vector<Triangle> triangles_;
   Pose pose_;
-  Surface surface_;
   Scratch scratch_;
   std::vector<Vec3> positions_;
 };

@@ -50,7 +50,7 @@ TEST(SideOf, IsWhereTheSurfaceWinds) {
       const Vec3 off = random.point(0.1), point = {near.x + off.x, near.y + off.y, near.z + off.z};
       const double winding = winding_number(body, posed, point);
       if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near for this method
-      const PointSide side = test::point_side(body.pose, body.surface, point, scratch);
+      const PointSide side = test::point_side(body.pose, point, scratch);
       EXPECT_EQ(side == PointSide::inside, std::round(winding) != 0) << winding;
       inside += side == PointSide::inside;
       outside += side == PointSide::outside;
@@ -64,9 +64,7 @@ TEST(SideOf, IsWhereTheSurfaceWinds) {
 TEST(SideOf, FindsPointsOnTheSurface) {
   Body body(make_cube(1, {0, 0, 0}));
   Scratch scratch;
-  const auto side = [&](const Vec3& p) {
-    return test::point_side(body.pose, body.surface, p, scratch);
-  };
+  const auto side = [&](const Vec3& p) { return test::point_side(body.pose, p, scratch); };
   for (const Vec3& on : {Vec3{1, 1, 1}, Vec3{1, 0, 0}, Vec3{1, 0.5f, 0.25f}, Vec3{0.3f, -1, 1}})
     EXPECT_EQ(side(on), PointSide::on);
   const float less = std::nextafter(1.0f, 0.0f), more = std::nextafter(1.0f, 2.0f);
@@ -81,10 +79,8 @@ TEST(SideOf, IsExactForMirroredBodies) {
   mirror.m[0] = -1;
   body.set({mirror});
   Scratch scratch;
-  EXPECT_EQ(test::point_side(body.pose, body.surface, {0.5f, 0.25f, 0}, scratch),
-            PointSide::inside);
-  EXPECT_EQ(test::point_side(body.pose, body.surface, {1.5f, 0.25f, 0}, scratch),
-            PointSide::outside);
+  EXPECT_EQ(test::point_side(body.pose, {0.5f, 0.25f, 0}, scratch), PointSide::inside);
+  EXPECT_EQ(test::point_side(body.pose, {1.5f, 0.25f, 0}, scratch), PointSide::outside);
 }
 
 /// Tests each vertex separately.
@@ -93,7 +89,7 @@ Penetration deepest_by_brute_force(Body& a, Body& b) {
   Scratch scratch;
   const std::vector<Vec3> posed = a.posed();
   for (std::uint32_t v = 0; v < posed.size(); ++v) {
-    if (test::point_side(b.pose, b.surface, posed[v], scratch) != PointSide::inside) continue;
+    if (test::point_side(b.pose, posed[v], scratch) != PointSide::inside) continue;
     ClosestPoint closest;
     closest_point(b.pose, posed[v], scratch, closest);
     if (closest.distance > deepest.depth) deepest = {v, posed[v], closest.point, closest.distance};
@@ -110,7 +106,7 @@ TEST(DeepestVertex, IsThatOfBruteForce) {
     a.set(bend_limb(random, 4, 0.6, {0, 0, 0}));
     b.set(bend_limb(random, 4, 0.6, {0.09f, 0.05f, 0.06f}));
     Penetration deepest;
-    deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+    deepest_vertex(a.pose, b.pose, scratch, deepest);
     const Penetration expected = deepest_by_brute_force(a, b);
     EXPECT_EQ(deepest.vertex, expected.vertex);
     EXPECT_EQ(deepest.depth, expected.depth);
@@ -126,7 +122,7 @@ double depth_of(const Shape& shape_a, const Shape& shape_b) {
   Body a(shape_a), b(shape_b);
   Scratch scratch;
   Penetration deepest;
-  deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+  deepest_vertex(a.pose, b.pose, scratch, deepest);
   return deepest.depth;
 }
 
@@ -156,10 +152,10 @@ TEST(DeepestVertex, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
     b.set(palette_b);
     Scratch scratch;
     Penetration deepest;
-    deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+    deepest_vertex(a.pose, b.pose, scratch, deepest);
     ASSERT_TRUE(deepest);
     const std::uint64_t before = allocation_count();
-    deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+    deepest_vertex(a.pose, b.pose, scratch, deepest);
     EXPECT_EQ(allocation_count(), before);
     if (!first) first = deepest;
     EXPECT_EQ(deepest.vertex, first.vertex);
@@ -185,7 +181,7 @@ TEST(DeepestVertex, CountsAllWorkOnBothBodies) {
   b.set(bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f}));
   Scratch scratch;
   Penetration deepest;
-  const QueryStats work = deepest_vertex(a.pose, a.surface, b.pose, b.surface, scratch, deepest);
+  const QueryStats work = deepest_vertex(a.pose, b.pose, scratch, deepest);
   EXPECT_TRUE(deepest);
   EXPECT_GT(opened_vertices(a.pose), 0u);
   EXPECT_GT(opened_vertices(b.pose), 0u);
@@ -198,8 +194,7 @@ TEST(Containment, CountsAllWorkOnBothBodies) {
   Body small(make_cube(0.5f, {0, 0, 0})), large(make_cube(1, {0.25f, 0, 0}));
   Scratch scratch;
   Containment which = Containment::none;
-  const QueryStats work =
-      containment(small.pose, small.surface, large.pose, large.surface, scratch, which);
+  const QueryStats work = containment(small.pose, large.pose, scratch, which);
   EXPECT_EQ(which, Containment::a_in_b);
   EXPECT_GT(opened_vertices(small.pose), 0u);
   EXPECT_EQ(work.posed_vertices, opened_vertices(small.pose) + opened_vertices(large.pose));
@@ -210,7 +205,7 @@ Containment containment_of(const Shape& shape_a, const Shape& shape_b) {
   Body a(shape_a), b(shape_b);
   Scratch scratch;
   Containment which = Containment::none;
-  containment(a.pose, a.surface, b.pose, b.surface, scratch, which);
+  containment(a.pose, b.pose, scratch, which);
   return which;
 }
 

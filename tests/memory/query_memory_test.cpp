@@ -49,14 +49,17 @@ TEST(Memory, EndsWhileAModelIsSavedOrLoaded) {
   fail_and_leak_nothing([&] { EXPECT_TRUE(load_model(saved)); });
 }
 
-TEST(Memory, EndsWhileAPoseOrASurfaceIsMade) {
+TEST(Memory, EndsWhileAPoseIsMade) {
   const SkinnedModel model = *build_model(limb().view());
   fail_and_leak_nothing([&] {
     Pose pose(model);
     pose.reserve();
-    const Surface surface(model);
-    EXPECT_TRUE(surface.is_closed());
   });
+}
+
+TEST(Memory, EndsWhileTheSurfaceOfAModelIsMade) {
+  const std::vector<std::byte> saved = save_model(*build_model(limb().view()));
+  fail_and_leak_nothing([&] { EXPECT_TRUE(load_model(saved)->surface().is_closed()); });
 }
 
 /// Two poses for queries, with an answer to compare.
@@ -299,8 +302,8 @@ TEST(Memory, EndsWhileASolidOrAGroupIsMeasured) {
 }
 
 TEST(Memory, EndsWhileContactsAreDescribed) {
-  const Surface surface(*build_model(limb().view()));
-  const SkinnedModel model = surface.model();
+  const SkinnedModel model = *build_model(limb().view());
+  EXPECT_TRUE(model.surface().is_closed());
   Pose a(model), b(model);
   Random random(7);
   ASSERT_TRUE(a.set_palette(bend_limb(random, 3, 0.3, {0, 0, 0})));
@@ -309,11 +312,11 @@ TEST(Memory, EndsWhileContactsAreDescribed) {
   std::vector<Contact> contacts;
   collide(a, b, scratch, contacts);
   ContactGeometry expected;
-  describe_contacts(a, surface, b, surface, contacts, scratch, expected);
+  describe_contacts(a, b, contacts, scratch, expected);
   ASSERT_GT(expected.curves.size(), 0u);
   fail_and_leak_nothing([&] {
     ContactGeometry geometry;
-    describe_contacts(a, surface, b, surface, contacts, scratch, geometry);
+    describe_contacts(a, b, contacts, scratch, geometry);
     EXPECT_EQ(geometry.members, expected.members);
   });
 }
@@ -326,8 +329,8 @@ TEST(Memory, EndsWhereTheBytesToReserveExceedAnAddress) {
 }
 
 TEST(Memory, EndsWhileVerticesAreInside) {
-  const Surface surface(*build_model(limb().view()));
-  const SkinnedModel model = surface.model();
+  const SkinnedModel model = *build_model(limb().view());
+  EXPECT_TRUE(model.surface().is_closed());
   Random random(7);
   const std::vector<Matrix4> palette_a = bend_limb(random, 3, 0.3, {0, 0, 0});
   const std::vector<Matrix4> palette_b = bend_limb(random, 3, 0.3, {0.1f, 0.05f, 0});
@@ -338,7 +341,7 @@ TEST(Memory, EndsWhileVerticesAreInside) {
     ASSERT_TRUE(b.set_palette(palette_b));
     Scratch scratch;
     Penetration deepest;
-    deepest_vertex(a, surface, b, surface, scratch, deepest);
+    deepest_vertex(a, b, scratch, deepest);
     if (!expected) expected = deepest.vertex;
     EXPECT_EQ(deepest.vertex, *expected);
     EXPECT_NE(deepest.vertex, kNoVertex);

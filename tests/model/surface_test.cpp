@@ -5,23 +5,41 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <vector>
+
 namespace pelt::test {
 namespace {
 
 SkinnedModel model_of(const Shape& shape) { return *build_model(shape.view()); }
 
-TEST(Surface, OfALimbIsClosed) { EXPECT_TRUE(Surface(model_of(make_limb(12, 9, 3))).is_closed()); }
+TEST(Surface, OfALimbIsClosed) { EXPECT_TRUE(model_of(make_limb(12, 9, 3)).surface().is_closed()); }
+
+TEST(Surface, IsMadeOnceForAllCopiesOfAModel) {
+  const SkinnedModel model = model_of(make_limb(12, 9, 3)), copy = model;
+  std::vector<const detail::Surface*> seen(8);
+  std::vector<std::thread> threads;
+  for (const detail::Surface*& surface : seen)
+    threads.emplace_back([&] { surface = &copy.surface().detail(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const detail::Surface* surface : seen) EXPECT_EQ(surface, &model.surface().detail());
+}
+
+TEST(Surface, OutlivesTheModelThatMadeIt) {
+  const Surface surface = model_of(make_limb(12, 9, 3)).surface();
+  EXPECT_TRUE(surface.is_closed());
+}
 
 TEST(Surface, WithAHoleIsNotClosed) {
   Shape limb = make_limb(12, 9, 3);
   limb.triangles.pop_back();
-  EXPECT_FALSE(Surface(model_of(limb)).is_closed());
+  EXPECT_FALSE(model_of(limb).surface().is_closed());
 }
 
 TEST(Surface, WithATriangleTurnedRoundIsNotClosed) {
   Shape limb = make_limb(12, 9, 3);
   std::swap(limb.triangles[5][0], limb.triangles[5][1]);
-  EXPECT_FALSE(Surface(model_of(limb)).is_closed());
+  EXPECT_FALSE(model_of(limb).surface().is_closed());
 }
 
 /// A limb in which no two triangles share a vertex index.
@@ -44,24 +62,24 @@ Shape split_limb() {
   return split;
 }
 
-TEST(Surface, IsClosedAcrossSeams) { EXPECT_TRUE(Surface(model_of(split_limb())).is_closed()); }
+TEST(Surface, IsClosedAcrossSeams) { EXPECT_TRUE(model_of(split_limb()).surface().is_closed()); }
 
 TEST(Surface, IsOpenAlongSeamsThatTheModelHasNotMerged) {
   const Shape split = split_limb();
-  EXPECT_FALSE(Surface(*build_model(split.view(), {.weld = false})).is_closed());
+  EXPECT_FALSE(build_model(split.view(), {.weld = false})->surface().is_closed());
   SkinnedMeshView view = split.view();
   std::vector<float> caps(split.rest_positions.size(), 0);
   view.offset_caps = caps;
-  EXPECT_TRUE(Surface(*build_model(view)).is_closed());
+  EXPECT_TRUE(build_model(view)->surface().is_closed());
   caps[5] = 0.25f;
-  EXPECT_FALSE(Surface(*build_model(view)).is_closed());
+  EXPECT_FALSE(build_model(view)->surface().is_closed());
 }
 
 TEST(Surface, OfATriangleWithARepeatedVertexIsNotClosed) {
   Shape shape = make_limb(12, 9, 3);
   for (const Triangle& triangle : {Triangle{3, 3, 7}, {3, 7, 3}, {7, 3, 3}, {5, 5, 5}}) {
     shape.triangles = {triangle};
-    EXPECT_FALSE(Surface(model_of(shape)).is_closed());
+    EXPECT_FALSE(model_of(shape).surface().is_closed());
   }
 }
 
@@ -71,7 +89,7 @@ TEST(Surface, StaysClosedWithTrianglesThatRepeatAVertex) {
   const auto [a, b, c] = limb.triangles[5];
   limb.triangles.push_back({a, b, b});
   limb.triangles.push_back({c, c, c});
-  EXPECT_TRUE(Surface(model_of(limb)).is_closed());
+  EXPECT_TRUE(model_of(limb).surface().is_closed());
 }
 
 TEST(Surface, NamesTheJointThatATriangleFollowsMost) {
@@ -82,9 +100,9 @@ TEST(Surface, NamesTheJointThatATriangleFollowsMost) {
   shape.joint_count = 3;
   shape.joints = {0, 1, 1, 2, 2, 1};
   shape.weights = {0.75f, 0.25f, 0.5f, 0.5f, 0.75f, 0.25f};  // 0.75, 1, 1.25
-  EXPECT_EQ(Surface(model_of(shape)).detail().joints[0], 2);
+  EXPECT_EQ(model_of(shape).surface().detail().joints[0], 2);
   shape.weights = {1, 0, 0.75f, 0.25f, 0.75f, 0.25f};  // 1, 1, 1
-  EXPECT_EQ(Surface(model_of(shape)).detail().joints[0], 0);
+  EXPECT_EQ(model_of(shape).surface().detail().joints[0], 0);
 }
 
 }  // namespace

@@ -97,8 +97,7 @@ TEST(DualDistance, SidesAreWhereTheSurfaceWinds) {
   int inside = 0, outside = 0;
   on_all_kinds(random, 2, 60, 0.2, [&](DualBody& body, DualBody&) {
     if (body.kind.is_soup || body.kind.turns == Turns::far_away) return;  // open, or too coarse
-    const Surface surface(body.to.model());
-    ASSERT_TRUE(surface.is_closed());
+    ASSERT_TRUE(body.to.model().surface().is_closed());
     const auto triangles = posed_triangles(body.shape.triangles, body.to);
     Scratch scratch;
     for (int i = 0; i < 40; ++i) {
@@ -106,7 +105,7 @@ TEST(DualDistance, SidesAreWhereTheSurfaceWinds) {
       const double winding = winding_number(triangles, point);
       if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near for this method
       PointSide side = PointSide::outside;
-      side_of(body.to, surface, point, scratch, side);
+      side_of(body.to, point, scratch, side);
       ASSERT_EQ(side == PointSide::inside, std::round(winding) != 0) << winding;
       ++(side == PointSide::inside ? inside : outside);
     }
@@ -128,7 +127,6 @@ TEST(DualDistance, SmallBodiesAreContained) {
   int contained = 0, apart = 0;
   on_all_kinds(random, 2, 60, 0.2, [&](DualBody& body, DualBody& other) {
     if (body.kind.is_soup || body.kind.turns == Turns::far_away) return;
-    const Surface surface(body.to.model()), small_surface(other.to.model());
     const auto triangles = posed_triangles(body.shape.triangles, body.to);
     const std::vector<Vec3> posed = positions_of(body.to);
     const std::size_t ring = 6 * random.index(static_cast<std::uint32_t>(posed.size() / 6));
@@ -142,7 +140,7 @@ TEST(DualDistance, SmallBodiesAreContained) {
     Scratch scratch;
     if (intersects(body.to, within, scratch)) return;
     Containment found = {};
-    containment(body.to, surface, within, small_surface, scratch, found);
+    containment(body.to, within, scratch, found);
     const bool is_inside = std::round(winding_number(triangles, small[0])) != 0;
     ASSERT_EQ(found, is_inside ? Containment::b_in_a : Containment::none);
     ++(is_inside ? contained : apart);

@@ -20,8 +20,6 @@ class Asker {
         b_(stage.b),
         move_a_{stage.a_from, stage.a},
         move_b_{stage.b_from, stage.b},
-        surface_a_(a_.model()),
-        surface_b_(b_.model()),
         scratch_(scratch) {}
 
   Answers run() {
@@ -81,7 +79,7 @@ class Asker {
     add("collide", contacts);
     add("intersects", intersects(a_, b_, scratch_).answer);
     ContactGeometry geometry;
-    describe_contacts(a_, surface_a_, b_, surface_b_, contacts, scratch_, geometry);
+    describe_contacts(a_, b_, contacts, scratch_, geometry);
     add_geometry("describe", geometry);
   }
 
@@ -100,7 +98,7 @@ class Asker {
     self_collide(a_, filter, scratch_, contacts);
     add("self", contacts);
     ContactGeometry geometry;
-    describe_contacts(a_, surface_a_, contacts, scratch_, geometry);
+    describe_contacts(a_, contacts, scratch_, geometry);
     add_geometry("describe self", geometry);
     std::vector<MovingContact> moving;
     self_collide(move_a_, filter, scratch_, moving);
@@ -127,19 +125,19 @@ class Asker {
   }
 
   void ask_inside() {
-    if (!surface_a_.is_closed() || !surface_b_.is_closed()) return;
+    if (!a_.model().surface().is_closed() || !b_.model().surface().is_closed()) return;
     Penetration deepest;
-    deepest_vertex(a_, surface_a_, b_, surface_b_, scratch_, deepest);
+    deepest_vertex(a_, b_, scratch_, deepest);
     found("deepest", static_cast<bool>(deepest));
     add("deepest", deepest.vertex, deepest.depth);
     Containment contained = {};
-    containment(a_, surface_a_, b_, surface_b_, scratch_, contained);
+    containment(a_, b_, scratch_, contained);
     add("containment", static_cast<int>(contained));
     for (int i = 0; i < 40; ++i) {
       Vec3 point = random_.point(0.15);
       point.y = random_.uniformf(0, 1);  // as the limbs
       PointSide side = PointSide::outside;
-      side_of(b_, surface_b_, point, scratch_, side);
+      side_of(b_, point, scratch_, side);
       found("side", side == PointSide::inside);
       add("side", static_cast<int>(side));
     }
@@ -258,7 +256,6 @@ class Asker {
 
   Pose &a_, &b_;
   Motion move_a_, move_b_;
-  Surface surface_a_, surface_b_;
   Scratch& scratch_;
   Random random_{7};
   std::map<std::string, detail::Fnv1a64> hashes_;

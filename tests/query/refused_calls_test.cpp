@@ -16,7 +16,6 @@ class RefusedCalls : public testing::Test {
  protected:
   Pose a{*build_model(test::make_limb(12, 8, 3).view())};
   Pose b{*build_model(test::make_limb(12, 9, 3).view())};
-  Surface of_a{a.model()}, of_b{b.model()};
   Scratch scratch;
 };
 
@@ -33,28 +32,11 @@ TEST_F(RefusedCalls, OnePoseTwice) {
   EXPECT_DEATH(distance(a, a, scratch, closest), message);
   EXPECT_DEATH(clearance(a, a, 1, scratch, pairs), message);
   EXPECT_DEATH(is_within(a, a, 1, scratch), message);
-  EXPECT_DEATH(deepest_vertex(a, of_a, a, of_a, scratch, deepest), message);
-  EXPECT_DEATH(containment(a, of_a, a, of_a, scratch, containing), message);
-  EXPECT_DEATH(describe_contacts(a, of_a, a, of_a, {}, scratch, geometry), message);
+  EXPECT_DEATH(deepest_vertex(a, a, scratch, deepest), message);
+  EXPECT_DEATH(containment(a, a, scratch, containing), message);
+  EXPECT_DEATH(describe_contacts(a, a, {}, scratch, geometry), message);
   Volume common;
-  EXPECT_DEATH(intersection_volume(a, of_a, a, of_a, scratch, common), message);
-}
-
-TEST_F(RefusedCalls, ASurfaceOfAnotherModel) {
-  const char* message = "to another model";
-  ContactGeometry geometry;
-  PointSide side = PointSide::outside;
-  std::int32_t winding = 0;
-  Containment containing = Containment::none;
-  EXPECT_DEATH(describe_contacts(a, of_b, b, of_b, {}, scratch, geometry), message);
-  EXPECT_DEATH(describe_contacts(a, of_b, {}, scratch, geometry), message);
-  EXPECT_DEATH(side_of(a, of_b, {}, scratch, side), message);
-  EXPECT_DEATH(winding_number(a, of_b, {}, scratch, winding), message);
-  EXPECT_DEATH(containment(a, of_a, b, of_a, scratch, containing), message);
-  Volume found;
-  EXPECT_DEATH(volume(a, of_b, found), message);
-  EXPECT_DEATH(self_intersection_volume(a, of_b, scratch, found), message);
-  EXPECT_DEATH(intersection_volume(a, of_a, b, of_a, scratch, found), message);
+  EXPECT_DEATH(intersection_volume(a, a, scratch, common), message);
 }
 
 TEST_F(RefusedCalls, DistancesAndListsThatMakeNoSense) {
@@ -77,8 +59,8 @@ TEST_F(RefusedCalls, PointsAndDirectionsThatAreNotFinite) {
   FarthestVertex farthest;
   for (const Vec3& point : {Vec3{kNan, 0, 0}, Vec3{0, kInfinity, 0}, Vec3{0, 0, -kInfinity}}) {
     EXPECT_DEATH(closest_point(a, point, scratch, closest), "the point is NaN or infinite");
-    EXPECT_DEATH(side_of(a, of_a, point, scratch, side), "the point is NaN or infinite");
-    EXPECT_DEATH(winding_number(a, of_a, point, scratch, winding), "the point is NaN or infinite");
+    EXPECT_DEATH(side_of(a, point, scratch, side), "the point is NaN or infinite");
+    EXPECT_DEATH(winding_number(a, point, scratch, winding), "the point is NaN or infinite");
     EXPECT_DEATH(farthest_vertex(a, point, farthest), "the direction is zero, NaN or infinite");
   }
   const Vec3 nowhere = {0, 0, kNan};

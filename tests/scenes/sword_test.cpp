@@ -14,7 +14,7 @@ TEST(Sword, IsClosedAndValid) {
   EXPECT_EQ(sword.triangles.size(), 26u);
   const auto model = build_model(sword.mesh());
   ASSERT_TRUE(model) << model.error().message;
-  EXPECT_TRUE(Surface(*model).is_closed());
+  EXPECT_TRUE(model->surface().is_closed());
 }
 
 TEST(Sword, IsTheSameFromItsFile) {

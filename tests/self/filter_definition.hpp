@@ -51,7 +51,7 @@ class Classification {
     }
     // If the sums of weights of two joints are nearly equal, rounding decides which one is the main
     // joint. The test therefore reads the main joints from the library.
-    main_joints_ = Surface(*build_model(shape.view())).detail().joints;
+    main_joints_ = build_model(shape.view())->surface().detail().joints;
     neighbours_.resize(corners_.size());
     for (std::uint32_t s = 0; s < corners_.size(); ++s)
       for (std::uint32_t t = 0; t < corners_.size(); ++t)

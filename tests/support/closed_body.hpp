@@ -12,7 +12,7 @@ namespace pelt::test {
 
 /// A closed surface that a palette poses.
 struct Body {
-  explicit Body(const Shape& s) : shape(s), pose(*build_model(s.view())), surface(pose.model()) {}
+  explicit Body(const Shape& s) : shape(s), pose(*build_model(s.view())) {}
 
   void set(const std::vector<Matrix4>& palette) { ASSERT_TRUE(pose.set_palette(palette)); }
   void move(const Vec3& by) { set({rotation_about({0, 0, 1}, 0, {0, 0, 0}, by)}); }
@@ -25,26 +25,25 @@ struct Body {
 
   Shape shape;
   Pose pose;
-  Surface surface;
 };
 
 inline Volume volume_of(Body& body) {
   Volume result;
-  volume(body.pose, body.surface, result);
+  volume(body.pose, result);
   return result;
 }
 
 inline Volume intersection_of(Body& a, Body& b) {
   Scratch scratch;
   Volume result;
-  intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, result);
+  intersection_volume(a.pose, b.pose, scratch, result);
   return result;
 }
 
 inline Volume self_intersection_of(Body& body) {
   Scratch scratch;
   Volume result;
-  self_intersection_volume(body.pose, body.surface, scratch, result);
+  self_intersection_volume(body.pose, scratch, result);
   return result;
 }
 

@@ -54,10 +54,9 @@ inline Placement placement_of(Pose& pose, const Region& region, Scratch& scratch
   return placement;
 }
 
-inline PointSide point_side(Pose& pose, const Surface& surface, const Vec3& point,
-                            Scratch& scratch) {
+inline PointSide point_side(Pose& pose, const Vec3& point, Scratch& scratch) {
   PointSide side = PointSide::outside;
-  side_of(pose, surface, point, scratch, side);
+  side_of(pose, point, scratch, side);
   return side;
 }
 

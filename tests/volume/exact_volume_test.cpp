@@ -28,9 +28,8 @@ class Body {
   Body(const std::vector<Triangle>& triangles, const Shape& pinned)
       : triangles_(triangles),
         vertex_count_(static_cast<std::uint32_t>(pinned.rest_positions.size())),
-        pose_(*build_model(pinned.view())),
-        surface_(pose_.model()) {
-    EXPECT_TRUE(surface_.is_closed());
+        pose_(*build_model(pinned.view())) {
+    EXPECT_TRUE(pose_.model().surface().is_closed());
   }
 
   void set(const std::vector<Vec3>& positions) {
@@ -42,20 +41,18 @@ class Body {
   std::uint32_t vertex_count() const { return vertex_count_; }
   const std::vector<Vec3>& positions() const { return positions_; }
   Pose& pose() { return pose_; }
-  const Surface& surface() const { return surface_; }
 
  private:
   std::vector<Triangle> triangles_;
   std::uint32_t vertex_count_;
   Pose pose_;
-  Surface surface_;
   std::vector<Vec3> positions_;
 };
 
 Volume intersection_of(Body& a, Body& b) {
   Scratch scratch;
   Volume result;
-  intersection_volume(a.pose(), a.surface(), b.pose(), b.surface(), scratch, result);
+  intersection_volume(a.pose(), b.pose(), scratch, result);
   return result;
 }
 
@@ -167,7 +164,7 @@ void compare_self_intersections(Body body, int rounds) {
       const mpq_class exact = exact_self_intersection(body, all);
       Scratch scratch;
       Volume found;
-      self_intersection_volume(body.pose(), body.surface(), scratch, found);
+      self_intersection_volume(body.pose(), scratch, found);
       check(found, exact, 1000);
       hits += exact != 0;
     }
@@ -231,7 +228,7 @@ TEST(Volume, IsExactForTori) {
   for (int i = 0; i < 20; ++i) {
     body.set(positions_of(random, i % 2 == 0 ? Numbers::grid : Numbers::any, 20, {}));
     Volume found;
-    volume(body.pose(), body.surface(), found);
+    volume(body.pose(), found);
     check(found, body.exact().of_intersection(all.exact()), 1);
   }
 }

@@ -32,8 +32,7 @@ TEST_P(SelfVolumeOfCharacters, EqualsThatOfACopy) {
   const Result<asset::Asset> asset = asset::load_gltf(path);
   ASSERT_TRUE(asset) << asset.error().message;
   Pose pose(*build_model(asset->mesh()));
-  const Surface surface(pose.model());
-  ASSERT_TRUE(surface.is_closed());
+  ASSERT_TRUE(pose.model().surface().is_closed());
   Scratch scratch;
   asset::SampleScratch samples;
   std::vector<Matrix4> palette(pose.model().joint_count());
@@ -46,8 +45,8 @@ TEST_P(SelfVolumeOfCharacters, EqualsThatOfACopy) {
       asset::sample_palette(*asset, &clip, clip.duration * share, {}, samples, palette);
       ASSERT_TRUE(pose.set_palette(palette));
       Volume found;
-      self_intersection_volume(pose, surface, scratch, found);
-      const Volume expected = volume_with_a_copy(pose, surface);
+      self_intersection_volume(pose, scratch, found);
+      const Volume expected = volume_with_a_copy(pose);
       expect_equal_within_errors(found, expected);
       EXPECT_LT(found.error, expected.error);
       overlaps += std::abs(found.value) > found.error;

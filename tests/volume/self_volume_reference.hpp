@@ -11,15 +11,15 @@ namespace pelt::test {
 
 /// The integral of w (w - 1) / 2, from the intersection of a body with a copy, where w is counted
 /// twice, and from its volume.
-inline Volume volume_with_a_copy(Pose& pose, const Surface& surface) {
+inline Volume volume_with_a_copy(Pose& pose) {
   std::vector<Vec3> posed(pose.model().vertex_count());
   posed_vertices(pose, posed);
   Pose copy(pose.model());
   EXPECT_TRUE(copy.set_vertices(posed));
   Scratch scratch;
   Volume product, whole;
-  intersection_volume(pose, surface, copy, surface, scratch, product);
-  volume(pose, surface, whole);
+  intersection_volume(pose, copy, scratch, product);
+  volume(pose, whole);
   return {(product.value - whole.value) / 2, (product.error + whole.error) / 2};
 }
 

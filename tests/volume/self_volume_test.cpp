@@ -59,7 +59,7 @@ TEST(SelfIntersectionVolume, EqualsThatOfACopy) {
     for (int i = 0; i < 15; ++i) {
       body.set(bend_limb(random, 4, i % 3 == 0 ? 1.5 : 0.7, {0, 0, 0}));
       const Volume found = self_intersection_of(body);
-      expect_equal_within_errors(found, volume_with_a_copy(body.pose, body.surface));
+      expect_equal_within_errors(found, volume_with_a_copy(body.pose));
       EXPECT_LT(found.error, 1e-14);
       hits += found.value > 1e-6;
     }
@@ -77,7 +77,7 @@ TEST(SelfIntersectionVolume, EqualsThatOfACopyWhereLayersCoincide) {
   Body body(layers);
   ASSERT_TRUE(body.pose.set_vertices(given));
   const Volume found = self_intersection_of(body);
-  expect_equal_within_errors(found, volume_with_a_copy(body.pose, body.surface));
+  expect_equal_within_errors(found, volume_with_a_copy(body.pose));
   Body one(sphere);
   EXPECT_NEAR(found.value, volume_of(one).value, found.error + volume_of(one).error);
 }
@@ -91,10 +91,10 @@ TEST(SelfIntersectionVolume, IsTheSameOnEachInstructionSetAndAllocatesNothingThe
     body.set(palette);
     Scratch scratch;
     Volume found;
-    self_intersection_volume(body.pose, body.surface, scratch, found);
+    self_intersection_volume(body.pose, scratch, found);
     const Volume fresh = found;
     const std::uint64_t before = allocation_count();
-    self_intersection_volume(body.pose, body.surface, scratch, found);
+    self_intersection_volume(body.pose, scratch, found);
     EXPECT_EQ(allocation_count(), before);
     EXPECT_GT(found.value, 0);
     if (first.value == 0) first = fresh;
@@ -118,7 +118,7 @@ TEST(SelfIntersectionVolume, AllocatesNothingIfAllIsReserved) {
   body.pose.reserve();
   Volume found;
   const std::uint64_t before = allocation_count();
-  self_intersection_volume(body.pose, body.surface, scratch, found);
+  self_intersection_volume(body.pose, scratch, found);
   EXPECT_EQ(allocation_count(), before);
   EXPECT_GT(found.value, 0);
 }
@@ -134,7 +134,7 @@ TEST(SelfIntersectionVolume, CanBeAskedForByThreadsThatShareASurface) {
       Pose pose(body.pose.model());
       Scratch scratch;
       ASSERT_TRUE(pose.set_palette(palette));
-      self_intersection_volume(pose, body.surface, scratch, volume);
+      self_intersection_volume(pose, scratch, volume);
     });
   for (std::thread& thread : threads) thread.join();
   body.set(palette);
@@ -151,7 +151,7 @@ TEST(SelfIntersectionVolume, CountsItsWork) {
   Scratch scratch;
   std::vector<Contact> contacts;
   Volume found;
-  const QueryStats work = self_intersection_volume(body.pose, body.surface, scratch, found);
+  const QueryStats work = self_intersection_volume(body.pose, scratch, found);
   Body again(crossing_limbs());
   const QueryStats collide =
       self_collide(again.pose, *build_self_filter(again.pose.model()), scratch, contacts);

@@ -114,13 +114,13 @@ TEST(IntersectionVolume, IsTheSameOnEachInstructionSetAndAllocatesNothingTheSeco
     b.set(palette_b);
     Scratch scratch;
     Volume found;
-    intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, found);
+    intersection_volume(a.pose, b.pose, scratch, found);
     const Volume fresh = found;
     const std::uint64_t before = allocation_count();
-    intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, found);
+    intersection_volume(a.pose, b.pose, scratch, found);
     EXPECT_EQ(allocation_count(), before);
-    volume(a.pose, a.surface, found);  // opens all nodes
-    intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, found);
+    volume(a.pose, found);  // opens all nodes
+    intersection_volume(a.pose, b.pose, scratch, found);
     EXPECT_GT(found.value, 0);
     EXPECT_EQ(found.value, fresh.value);
     EXPECT_EQ(found.error, fresh.error);
@@ -143,7 +143,7 @@ TEST(IntersectionVolume, AllocatesNothingIfAllIsReserved) {
   b.pose.reserve();
   Volume found;
   const std::uint64_t before = allocation_count();
-  intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, found);
+  intersection_volume(a.pose, b.pose, scratch, found);
   EXPECT_EQ(allocation_count(), before);
   EXPECT_GT(found.value, 0);
 }
@@ -162,7 +162,7 @@ TEST(IntersectionVolume, CountsItsWorkAndPosesOnlyWhatIsNear) {
   b.move({1.99f, 0, 0});
   Scratch scratch;
   Volume found;
-  const QueryStats work = intersection_volume(a.pose, a.surface, b.pose, b.surface, scratch, found);
+  const QueryStats work = intersection_volume(a.pose, b.pose, scratch, found);
   EXPECT_GT(found.value, 0);
   EXPECT_LT(found.value, 1e-3);
   EXPECT_EQ(work.posed_vertices, opened_vertices(a.pose) + opened_vertices(b.pose));

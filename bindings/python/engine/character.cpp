@@ -2,7 +2,6 @@
 
 #include "bindings/python/engine/array_view.hpp"
 #include "bindings/python/engine/bindings.hpp"
-#include "bindings/python/engine/python_model.hpp"
 #include "bindings/python/engine/run_frames.hpp"
 
 #include <pybind11/stl.h>
@@ -24,7 +23,7 @@ class Character {
   Character(Asset asset, SkinnedModel model) : asset_(std::move(asset)), model_(std::move(model)) {}
 
   const Asset& asset() const { return asset_; }
-  const PythonModel& model() const { return model_; }
+  const SkinnedModel& model() const { return model_; }
 
   /// -1 is the default pose. Throws an error if there is no such clip.
   const Clip* clip(int index) const {
@@ -36,7 +35,7 @@ class Character {
 
  private:
   Asset asset_;
-  PythonModel model_;
+  SkinnedModel model_;
 };
 
 using Seconds = py::array_t<float, py::array::c_style | py::array::forcecast>;

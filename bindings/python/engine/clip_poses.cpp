@@ -43,11 +43,11 @@ void check_in_python(Result<void> result, const std::string& place) {
 
 }  // namespace
 
-ClipPoses ClipPoses::of_palettes(const PythonModel& model, std::string name,
+ClipPoses ClipPoses::of_palettes(const SkinnedModel& model, std::string name,
                                  const py::array& palettes,
                                  const std::optional<py::array>& morph_weights,
                                  const std::optional<py::array>& offsets) {
-  const std::size_t joints = model.model().joint_count();
+  const std::size_t joints = model.joint_count();
   const bool has_rows = palettes.ndim() == 4 && (palettes.shape(2) == 3 || palettes.shape(2) == 4);
   check_shape(palettes, name, {-1, static_cast<py::ssize_t>(joints), has_rows ? -1 : 4, 4},
               list_of(joints, ", 4, 4] or ") + list_of(joints, ", 3, 4]"));
@@ -56,22 +56,22 @@ ClipPoses ClipPoses::of_palettes(const PythonModel& model, std::string name,
   poses.palettes_.emplace(palettes, poses.name_);
   const auto frames = static_cast<py::ssize_t>(poses.frame_count_);
   if (offsets) {
-    const auto vertices = static_cast<py::ssize_t>(model.model().vertex_count());
+    const auto vertices = static_cast<py::ssize_t>(model.vertex_count());
     check_shape(*offsets, poses.name_ + ", offsets", {frames, vertices, 3},
                 "[" + std::to_string(frames) + ", " + std::to_string(vertices) + ", 3]");
     poses.offsets_.emplace(*offsets, poses.name_ + ", offsets");
   }
   if (!morph_weights) return poses;
-  const auto targets = static_cast<py::ssize_t>(model.model().morph_target_count());
+  const auto targets = static_cast<py::ssize_t>(model.morph_target_count());
   check_shape(*morph_weights, poses.name_ + ", morph_weights", {frames, targets},
               "[" + std::to_string(frames) + ", " + std::to_string(targets) + "]");
   poses.morph_weights_.emplace(*morph_weights, poses.name_ + ", morph_weights");
   return poses;
 }
 
-ClipPoses ClipPoses::of_vertices(const PythonModel& model, std::string name,
+ClipPoses ClipPoses::of_vertices(const SkinnedModel& model, std::string name,
                                  const py::array& vertices) {
-  const std::size_t count = model.model().vertex_count();
+  const std::size_t count = model.vertex_count();
   check_shape(vertices, name, {-1, static_cast<py::ssize_t>(count), 3}, list_of(count, ", 3]"));
   const std::size_t frame_count = count_frames(vertices, name);
   ClipPoses poses(model, std::move(name), frame_count);

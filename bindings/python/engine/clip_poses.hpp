@@ -9,7 +9,6 @@
 #include <pelt/pose.hpp>
 
 #include "bindings/python/engine/array_view.hpp"
-#include "bindings/python/engine/python_model.hpp"
 
 #include <array>
 #include <cstddef>
@@ -27,17 +26,16 @@ class ClipPoses {
   /// `palettes`: [F, J, 4, 4] or [F, J, 3, 4].
   /// `morph_weights`: [F, M], or nothing.
   /// `offsets`: of vertices [F, V, 3], or nothing.
-  static ClipPoses of_palettes(const PythonModel& model, std::string name,
+  static ClipPoses of_palettes(const SkinnedModel& model, std::string name,
                                const py::array& palettes,
                                const std::optional<py::array>& morph_weights,
                                const std::optional<py::array>& offsets);
 
   /// `vertices`: [F, V, 3] positions of all vertices, in place of palettes.
-  static ClipPoses of_vertices(const PythonModel& model, std::string name,
+  static ClipPoses of_vertices(const SkinnedModel& model, std::string name,
                                const py::array& vertices);
 
-  const SkinnedModel& model() const { return model_.model(); }
-  const Surface& surface() const { return model_.surface(); }
+  const SkinnedModel& model() const { return model_; }
   const std::string& name() const { return name_; }
   std::size_t frame_count() const { return frame_count_; }
 
@@ -60,7 +58,7 @@ class ClipPoses {
   void set(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const;
 
  private:
-  ClipPoses(PythonModel model, std::string name, std::size_t frame_count)
+  ClipPoses(SkinnedModel model, std::string name, std::size_t frame_count)
       : model_(std::move(model)), name_(std::move(name)), frame_count_(frame_count) {}
 
   std::string place(std::size_t frame) const;
@@ -73,7 +71,7 @@ class ClipPoses {
   void set_offsets(Crowd& crowd, std::uint32_t instance, std::size_t frame, Memory& memory) const;
   void set_vertices(Pose& pose, std::size_t frame, Memory& memory) const;
 
-  PythonModel model_;
+  SkinnedModel model_;
   std::string name_;
   std::size_t frame_count_;
   std::optional<FloatView> palettes_, morph_weights_, offsets_;  // either palettes

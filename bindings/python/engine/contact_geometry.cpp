@@ -62,11 +62,9 @@ py::dict geometry_of_pair(const ClipPoses& a, const ClipPoses& b, const Column& 
   run_frames(frames, run, [&](FrameQueue& queue) {
     FramePose pose_a(a), pose_b(b);
     Scratch scratch;
-    const Surface &surface_a = a.surface(), &surface_b = b.surface();
     while (const auto f = queue.next())
       if (!contacts.of(*f).empty())
-        describe_contacts(pose_a.at(*f), surface_a, pose_b.at(*f), surface_b, contacts.of(*f),
-                          scratch, geometry[*f]);
+        describe_contacts(pose_a.at(*f), pose_b.at(*f), contacts.of(*f), scratch, geometry[*f]);
   });
   return geometry_columns(geometry);
 }
@@ -82,7 +80,7 @@ py::dict geometry_of_one(const ClipPoses& poses, const Column& frame, const Colu
     Scratch scratch;
     while (const auto f = queue.next())
       if (!contacts.of(*f).empty())
-        describe_contacts(pose.at(*f), poses.surface(), contacts.of(*f), scratch, geometry[*f]);
+        describe_contacts(pose.at(*f), contacts.of(*f), scratch, geometry[*f]);
   });
   return geometry_columns(geometry);
 }

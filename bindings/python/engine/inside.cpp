@@ -11,10 +11,10 @@
 namespace pelt::python {
 namespace {
 
-/// Returns the surface of the poses' model. Throws an error if it is not closed.
-const Surface& closed_surface(const ClipPoses& poses) {
+/// Throws an error if the surface of the poses' model is not closed.
+void require_inside(const ClipPoses& poses) {
   const py::gil_scoped_release unlocked;
-  if (poses.surface().is_closed()) return poses.surface();
+  if (poses.model().surface().is_closed()) return;
   throw ArgumentError(poses.name() +
                       ": the surface of the model is not closed, so it has no inside");
 }
@@ -48,11 +48,11 @@ py::array_t<Element> for_each_point(const ClipPoses& poses, const py::array& poi
 /// The sides of points [F, P]: -1 outside, 0 on the surface, 1 inside.
 py::array_t<std::int8_t> all_sides(const ClipPoses& poses, const py::array& points,
                                    const Run& run) {
-  const Surface& surface = closed_surface(poses);
+  require_inside(poses);
   return for_each_point<std::int8_t>(poses, points, run,
                                      [&](Pose& pose, const Vec3& point, Scratch& scratch) {
                                        PointSide side = PointSide::outside;
-                                       side_of(pose, surface, point, scratch, side);
+                                       side_of(pose, point, scratch, side);
                                        return number_of(side);
                                      });
 }
@@ -60,18 +60,18 @@ py::array_t<std::int8_t> all_sides(const ClipPoses& poses, const py::array& poin
 /// The winding numbers around points [F, P]; 0 for points on the surface.
 py::array_t<std::int32_t> all_windings(const ClipPoses& poses, const py::array& points,
                                        const Run& run) {
-  const Surface& surface = closed_surface(poses);
+  require_inside(poses);
   return for_each_point<std::int32_t>(poses, points, run,
                                       [&](Pose& pose, const Vec3& point, Scratch& scratch) {
                                         std::int32_t winding = 0;
-                                        winding_number(pose, surface, point, scratch, winding);
+                                        winding_number(pose, point, scratch, winding);
                                         return winding;
                                       });
 }
 
 /// The sides of the vertices of a [F, V] with respect to b.
 py::array_t<std::int8_t> all_vertex_sides(const ClipPoses& a, const ClipPoses& b, const Run& run) {
-  const Surface& surface = closed_surface(b);
+  require_inside(b);
   const std::size_t frames = common_frame_count(a, b), count = a.model().vertex_count();
   py::array_t<std::int8_t> result = new_array<std::int8_t>({frames, count});
   std::int8_t* const out = result.mutable_data();
@@ -83,7 +83,7 @@ py::array_t<std::int8_t> all_vertex_sides(const ClipPoses& a, const ClipPoses& b
       posed_vertices(pose_a.at(*frame), vertices);
       for (std::size_t v = 0; v < count; ++v) {
         PointSide side = PointSide::outside;
-        side_of(pose_b.at(*frame), surface, vertices[v], scratch, side);
+        side_of(pose_b.at(*frame), vertices[v], scratch, side);
         out[*frame * count + v] = number_of(side);
       }
     }
@@ -96,7 +96,7 @@ using DepthColumns = std::tuple<py::array_t<std::int32_t>, py::array_t<double>, 
                                 py::array_t<std::int32_t>, py::array_t<float>, py::array_t<float>>;
 
 DepthColumns all_deepest_vertices(const ClipPoses& a, const ClipPoses& b, const Run& run) {
-  const Surface& surface_b = closed_surface(b);
+  require_inside(b);
   const std::size_t frames = common_frame_count(a, b);
   DepthColumns columns = {new_array<std::int32_t>({frames}), new_array<double>({frames}),
                           new_array<float>({frames, 3}),     new_array<std::int32_t>({frames}),
@@ -112,7 +112,7 @@ DepthColumns all_deepest_vertices(const ClipPoses& a, const ClipPoses& b, const 
     Scratch scratch;
     while (const auto frame = queue.next()) {
       Penetration found;
-      deepest_vertex(pose_a.at(*frame), a.surface(), pose_b.at(*frame), surface_b, scratch, found);
+      deepest_vertex(pose_a.at(*frame), pose_b.at(*frame), scratch, found);
       vertex[*frame] = found ? static_cast<std::int32_t>(found.vertex) : -1;
       depth[*frame] = found.depth;
       closest.set_nothing(*frame);

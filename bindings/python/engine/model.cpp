@@ -1,8 +1,8 @@
 #include <pelt/model.hpp>
+#include <pelt/surface.hpp>
 
 #include "bindings/python/engine/array_view.hpp"
 #include "bindings/python/engine/bindings.hpp"
-#include "bindings/python/engine/python_model.hpp"
 
 #include <pybind11/stl.h>
 
@@ -165,13 +165,13 @@ void check_counts(std::size_t vertices, std::size_t triangles) {
     throw ArgumentError("faces: expected at most 2147483647 vertices and triangles");
 }
 
-PythonModel make_model(const py::array& rest, const Integers& faces,
-                       const std::optional<py::array>& weights,
-                       const std::optional<Integers>& joints,
-                       std::optional<std::size_t> joint_count,
-                       const std::optional<py::array>& morph_targets,
-                       const std::optional<py::array>& offset_caps, bool renormalise, bool weld,
-                       const std::optional<py::array>& sample_palettes) {
+SkinnedModel make_model(const py::array& rest, const Integers& faces,
+                        const std::optional<py::array>& weights,
+                        const std::optional<Integers>& joints,
+                        std::optional<std::size_t> joint_count,
+                        const std::optional<py::array>& morph_targets,
+                        const std::optional<py::array>& offset_caps, bool renormalise, bool weld,
+                        const std::optional<py::array>& sample_palettes) {
   const std::vector<Vec3> positions = read_rest(rest);
   check_counts(positions.size(), static_cast<std::size_t>(faces.size()) / 3);
   const std::vector<Triangle> triangles = read_faces(faces, positions.size());
@@ -193,23 +193,23 @@ PythonModel make_model(const py::array& rest, const Integers& faces,
   if (renormalise) options.off_weights = OffWeights::renormalise;
   options.weld = weld;
   options.sample_palettes = samples;
-  return PythonModel(value_of(build_model(mesh, options), "Model"));
+  return SkinnedModel(value_of(build_model(mesh, options), "Model"));
 }
 
-py::bytes bytes_of(const PythonModel& model) {
-  const std::vector<std::byte> bytes = save_model(model.model());
+py::bytes bytes_of(const SkinnedModel& model) {
+  const std::vector<std::byte> bytes = save_model(model);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-PythonModel model_of(const py::bytes& bytes) {
+SkinnedModel model_of(const py::bytes& bytes) {
   const std::string_view text = bytes;
   const py::gil_scoped_release unlocked;
-  return PythonModel(
+  return SkinnedModel(
       value_of(load_model(std::as_bytes(std::span(text.data(), text.size()))), "from_bytes"));
 }
 
-py::dict report_of(const PythonModel& model) {
-  const BuildReport& report = model.model().report();
+py::dict report_of(const SkinnedModel& model) {
+  const BuildReport& report = model.report();
   py::dict result;
   result["renormalised_vertices"] = report.renormalised_vertices;
   result["merged_influences"] = report.merged_influences;
@@ -217,7 +217,7 @@ py::dict report_of(const PythonModel& model) {
   return result;
 }
 
-bool is_closed(const PythonModel& model) {
+bool is_closed(const SkinnedModel& model) {
   const py::gil_scoped_release unlocked;
   return model.surface().is_closed();
 }
@@ -225,23 +225,20 @@ bool is_closed(const PythonModel& model) {
 }  // namespace
 
 void add_model(py::module_& module) {
-  py::class_<PythonModel>(module, "Model")
+  py::class_<SkinnedModel>(module, "Model")
       .def(py::init(&make_model), py::arg("rest"), py::arg("faces"), py::arg("weights"),
            py::arg("joints"), py::arg("joint_count"), py::arg("morph_targets"),
            py::arg("offset_caps"), py::arg("renormalise"), py::arg("weld"),
            py::arg("sample_palettes"))
       .def_static("from_bytes", &model_of, py::arg("data"))
       .def("to_bytes", &bytes_of)
-      .def_property_readonly("vertex_count",
-                             [](const PythonModel& m) { return m.model().vertex_count(); })
+      .def_property_readonly("vertex_count", [](const SkinnedModel& m) { return m.vertex_count(); })
       .def_property_readonly("triangle_count",
-                             [](const PythonModel& m) { return m.model().triangle_count(); })
-      .def_property_readonly("joint_count",
-                             [](const PythonModel& m) { return m.model().joint_count(); })
+                             [](const SkinnedModel& m) { return m.triangle_count(); })
+      .def_property_readonly("joint_count", [](const SkinnedModel& m) { return m.joint_count(); })
       .def_property_readonly("morph_target_count",
-                             [](const PythonModel& m) { return m.model().morph_target_count(); })
-      .def_property_readonly("memory_bytes",
-                             [](const PythonModel& m) { return m.model().memory_bytes(); })
+                             [](const SkinnedModel& m) { return m.morph_target_count(); })
+      .def_property_readonly("memory_bytes", [](const SkinnedModel& m) { return m.memory_bytes(); })
       .def_property_readonly("report", &report_of)
       .def_property_readonly("is_closed", &is_closed);
 }

@@ -2,7 +2,6 @@
 
 #include "bindings/python/engine/bindings.hpp"
 #include "bindings/python/engine/index_arrays.hpp"
-#include "bindings/python/engine/python_model.hpp"
 
 #include <pybind11/stl.h>
 
@@ -48,17 +47,17 @@ std::vector<Vec3> read_positions(const std::optional<py::array>& array, std::siz
 /// The bodies [J], the pairs of joints and the pairs in zones [N, 2], and the zones [N, 2].
 using NearColumns = std::tuple<Integers, Integers, Integers, Integers>;
 
-NearColumns all_near_joints(const PythonModel& model, const Integers& bodies, const Integers& above,
-                            const std::optional<py::array>& positions,
+NearColumns all_near_joints(const SkinnedModel& model, const Integers& bodies,
+                            const Integers& above, const std::optional<py::array>& positions,
                             const std::optional<Integers>& at_rest) {
   const JointBodies of_joints = {read_numbers(bodies, "joint_bodies"),
                                  read_parents(above, "joint_parents")};
-  const std::vector<Vec3> posed = read_positions(positions, model.model().vertex_count());
+  const std::vector<Vec3> posed = read_positions(positions, model.vertex_count());
   const auto contacts =
-      read_pairs<Contact, std::uint32_t>(at_rest, "at_rest", model.model().triangle_count());
+      read_pairs<Contact, std::uint32_t>(at_rest, "at_rest", model.triangle_count());
   const NearJoints near = [&] {
     const py::gil_scoped_release unlocked;
-    return value_of(near_joints(model.model(), of_joints, posed, contacts), "near_joints");
+    return value_of(near_joints(model, of_joints, posed, contacts), "near_joints");
   }();
   Integers found = new_array<std::int32_t>({near.bodies.size()});
   std::copy(near.bodies.begin(), near.bodies.end(), found.mutable_data());

@@ -5,7 +5,6 @@
 #include "bindings/python/engine/index_arrays.hpp"
 #include "bindings/python/engine/moving_columns.hpp"
 #include "bindings/python/engine/pair_lists.hpp"
-#include "bindings/python/engine/python_model.hpp"
 #include "bindings/python/engine/run_frames.hpp"
 #include "bindings/python/engine/self_filters.hpp"
 
@@ -46,12 +45,12 @@ std::vector<std::uint8_t> read_flags(const std::optional<Integers>& array) {
 
 using Optional = std::optional<Integers>;
 
-SelfFilter make_filter(const PythonModel& model, std::uint32_t rings, const Optional& takes_part,
+SelfFilter make_filter(const SkinnedModel& model, std::uint32_t rings, const Optional& takes_part,
                        const Optional& at_rest, const Optional& always,
                        const Optional& joint_bodies, const Optional& joint_parents,
                        const Optional& joint_pairs, const Optional& joint_pairs_in_zones,
                        const Optional& zones, const Optional& groups, const Optional& group_pairs) {
-  const std::size_t triangles = model.model().triangle_count();
+  const std::size_t triangles = model.triangle_count();
   const FilterArrays arrays = {
       read_flags(takes_part),
       read_pairs<Contact, std::uint32_t>(at_rest, "at_rest", triangles),
@@ -64,12 +63,11 @@ SelfFilter make_filter(const PythonModel& model, std::uint32_t rings, const Opti
       read_pairs<IndexPair, std::uint16_t>(group_pairs, "group_pairs", kNumbers),
       read_zones(zones, triangles)};
   const py::gil_scoped_release unlocked;
-  return value_of(
-      build_self_filter(model.model(), {rings, arrays.takes_part, arrays.at_rest, arrays.always,
-                                        arrays.joint_bodies, arrays.joint_parents,
-                                        arrays.joint_pairs, arrays.joint_pairs_in_zones,
-                                        arrays.zones, arrays.groups, arrays.group_pairs}),
-      "SelfFilter");
+  return value_of(build_self_filter(model, {rings, arrays.takes_part, arrays.at_rest, arrays.always,
+                                            arrays.joint_bodies, arrays.joint_parents,
+                                            arrays.joint_pairs, arrays.joint_pairs_in_zones,
+                                            arrays.zones, arrays.groups, arrays.group_pairs}),
+                  "SelfFilter");
 }
 
 using Counts = std::map<std::string, std::uint64_t>;

@@ -10,9 +10,10 @@
 namespace pelt::python {
 namespace {
 
-const Surface& surface_with_volume(const ClipPoses& poses) {
+/// Throws an error if the surface of the poses' model is not closed.
+void require_volume(const ClipPoses& poses) {
   const py::gil_scoped_release unlocked;
-  if (poses.surface().is_closed()) return poses.surface();
+  if (poses.model().surface().is_closed()) return;
   throw ArgumentError(poses.name() +
                       ": the surface of the model is not closed, so it has no volume");
 }
@@ -42,20 +43,21 @@ VolumeColumns measure_each(const ClipPoses& poses, const Run& run, const Measure
 }
 
 VolumeColumns all_volumes(const ClipPoses& poses, const Run& run) {
-  const Surface& surface = surface_with_volume(poses);
+  require_volume(poses);
   return measure_each(poses, run,
-                      [&](Pose& pose, Scratch&, Volume& found) { volume(pose, surface, found); });
+                      [&](Pose& pose, Scratch&, Volume& found) { volume(pose, found); });
 }
 
 VolumeColumns all_self_volumes(const ClipPoses& poses, const Run& run) {
-  const Surface& surface = surface_with_volume(poses);
+  require_volume(poses);
   return measure_each(poses, run, [&](Pose& pose, Scratch& scratch, Volume& found) {
-    self_intersection_volume(pose, surface, scratch, found);
+    self_intersection_volume(pose, scratch, found);
   });
 }
 
 VolumeColumns all_intersection_volumes(const ClipPoses& a, const ClipPoses& b, const Run& run) {
-  const Surface &surface_a = surface_with_volume(a), &surface_b = surface_with_volume(b);
+  require_volume(a);
+  require_volume(b);
   const std::size_t frames = common_frame_count(a, b);
   VolumeColumns columns = {new_array<double>({frames}), new_array<double>({frames})};
   double *const values = columns.first.mutable_data(), *const errors =
@@ -65,8 +67,7 @@ VolumeColumns all_intersection_volumes(const ClipPoses& a, const ClipPoses& b, c
     Scratch scratch;
     while (const auto frame = queue.next()) {
       Volume found;
-      intersection_volume(pose_a.at(*frame), surface_a, pose_b.at(*frame), surface_b, scratch,
-                          found);
+      intersection_volume(pose_a.at(*frame), pose_b.at(*frame), scratch, found);
       values[*frame] = found.value;
       errors[*frame] = found.error;
     }

@@ -151,14 +151,9 @@ json describe(const Character& character) {
 
 }  // namespace
 
-const Surface& Body::get_surface() {
-  if (!surface) surface.emplace(model);
-  return *surface;
-}
-
 const std::vector<std::uint32_t>& Character::get_seams() {
   if (seams.empty())
-    seams = find_seams(whole.get_surface(), asset().triangles, whole.model.vertex_count());
+    seams = find_seams(whole.model.surface(), asset().triangles, whole.model.vertex_count());
   return seams;
 }
 
@@ -176,7 +171,7 @@ Result<Body*> Character::body(std::uint32_t number) {
   mesh.triangles = mesh.triangles.subspan(part.first_triangle, part.triangle_count);
   Result<SkinnedModel> model = build(asset(), mesh, preparation);
   if (!model) return asset::prefixed(read.source, in_words_of_javascript(model.error()));
-  parts[number] = std::make_unique<Body>(Body{std::move(*model), part.first_triangle, {}});
+  parts[number] = std::make_unique<Body>(Body{std::move(*model), part.first_triangle});
   return parts[number].get();
 }
 
@@ -248,7 +243,7 @@ PELT_EXPORT void pelt_rest_positions(const CharacterHandle* handle) {
 }
 
 PELT_EXPORT void pelt_triangle_joints(const CharacterHandle* handle) {
-  answer_data<std::uint16_t>(handle->character->whole.get_surface().detail().joints);
+  answer_data<std::uint16_t>(handle->character->whole.model.surface().detail().joints);
 }
 
 /// Answers with the box of the character's default pose.

@@ -119,10 +119,8 @@ PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
   const std::vector<Contact> given = in_models({contacts, count}, a->body, b->body);
   if (const char* problem = problem_of(given, a->pose.model(), b->pose.model(), a == b))
     return refuse({ErrorCode::invalid_argument, problem});
-  const Surface &of_a = a->body.get_surface(), &of_b = b->body.get_surface();
-  answer_stats(a == b
-                   ? describe_contacts(a->pose, of_a, given, scratch(), geometry())
-                   : describe_contacts(a->pose, of_a, b->pose, of_b, given, scratch(), geometry()));
+  answer_stats(a == b ? describe_contacts(a->pose, given, scratch(), geometry())
+                      : describe_contacts(a->pose, b->pose, given, scratch(), geometry()));
   write_columns(geometry(), columns());
   return 1;
 }

@@ -31,9 +31,6 @@ struct Preparation {
 struct Body {
   SkinnedModel model;
   std::uint32_t first_triangle = 0;  ///< the first triangle's number in the character
-  std::optional<Surface> surface;    ///< created on first use
-
-  const Surface& get_surface();
 };
 
 /// Part number that means the whole character.

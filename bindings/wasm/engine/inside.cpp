@@ -9,14 +9,13 @@
 namespace pelt::wasm {
 
 PELT_EXPORT std::uint32_t pelt_is_closed(PoseHandle* handle) {
-  return handle->body.get_surface().is_closed() ? 1 : 0;
+  return handle->pose.model().surface().is_closed() ? 1 : 0;
 }
 
 /// Returns a PointSide. Precondition: the surface is closed.
 PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, float z) {
-  const Surface& surface = handle->body.get_surface();
   PointSide side = PointSide::outside;
-  answer_stats(side_of(handle->pose, surface, {x, y, z}, scratch(), side));
+  answer_stats(side_of(handle->pose, {x, y, z}, scratch(), side));
   return static_cast<std::uint32_t>(side);
 }
 
@@ -24,8 +23,7 @@ PELT_EXPORT std::uint32_t pelt_side_of(PoseHandle* handle, float x, float y, flo
 /// depth. Precondition: the surface of b is closed.
 PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
   Penetration deepest;
-  answer_stats(deepest_vertex(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),
-                              scratch(), deepest));
+  answer_stats(deepest_vertex(a->pose, b->pose, scratch(), deepest));
   answer().vertex = deepest.vertex;
   answer().position = numbers_of(deepest.position);
   answer().depth = deepest.depth;
@@ -36,8 +34,7 @@ PELT_EXPORT std::uint32_t pelt_deepest_vertex(PoseHandle* a, PoseHandle* b) {
 /// Returns a Containment.
 PELT_EXPORT std::uint32_t pelt_containment(PoseHandle* a, PoseHandle* b) {
   Containment found = Containment::none;
-  answer_stats(containment(a->pose, a->body.get_surface(), b->pose, b->body.get_surface(),
-                           scratch(), found));
+  answer_stats(containment(a->pose, b->pose, scratch(), found));
   return static_cast<std::uint32_t>(found);
 }
 

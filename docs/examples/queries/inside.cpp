@@ -1,9 +1,8 @@
 #include <pelt/inside.hpp>
 
 // How deep `a` is inside the closed surface of `b`; 0 if no vertex of `a` is inside.
-double depth_in(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
-                const pelt::Surface& surface_b, pelt::Scratch& scratch) {
+double depth_in(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch) {
   pelt::Penetration deepest;
-  pelt::deepest_vertex(a, surface_a, b, surface_b, scratch, deepest);
+  pelt::deepest_vertex(a, b, scratch, deepest);
   return deepest.depth;  // deepest.position and deepest.closest say where
 }

@@ -16,11 +16,10 @@ pelt::Result<pelt::SelfFilter> only_new(pelt::Pose& rest, pelt::Scratch& scratch
 
 // Where the character cuts through itself. `left_out` tells how many pairs each filter left out.
 std::vector<pelt::ContactPatch> cuts(pelt::Pose& pose, const pelt::SelfFilter& filter,
-                                     const pelt::Surface& surface, pelt::Scratch& scratch,
-                                     pelt::LeftOut& left_out) {
+                                     pelt::Scratch& scratch, pelt::LeftOut& left_out) {
   std::vector<pelt::Contact> contacts;
   left_out = pelt::self_collide(pose, filter, scratch, contacts).left_out;
   pelt::ContactGeometry geometry;
-  pelt::describe_contacts(pose, surface, contacts, scratch, geometry);
+  pelt::describe_contacts(pose, contacts, scratch, geometry);
   return geometry.patches;  // point, normal, depth, joints of both sides
 }

@@ -1,10 +1,9 @@
 #include <pelt/inside.hpp>
 
 // The share of `a` that is inside `b`.
-double share_inside(pelt::Pose& a, const pelt::Surface& surface_a, pelt::Pose& b,
-                    const pelt::Surface& surface_b, pelt::Scratch& scratch) {
+double share_inside(pelt::Pose& a, pelt::Pose& b, pelt::Scratch& scratch) {
   pelt::Volume whole, common;
-  pelt::volume(a, surface_a, whole);
-  pelt::intersection_volume(a, surface_a, b, surface_b, scratch, common);
+  pelt::volume(a, whole);
+  pelt::intersection_volume(a, b, scratch, common);
   return common.value / whole.value;
 }

@@ -2,7 +2,6 @@
 /// messages as whole instances.
 
 #include "tools/pelt/check/contact_details.hpp"
-#include "tools/pelt/check/surfaces.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
@@ -61,7 +60,7 @@ std::vector<Described> contacts_of(const scenes::Scene& scene, std::span<const C
   FrameContacts found;
   query.collide({}, found);
   const StagedScene staged(scene, colliders);
-  check::ContactDetails details(staged, check::make_surfaces(staged));
+  check::ContactDetails details(staged);
   EXPECT_TRUE(details.describe(palettes, found));
   std::vector<Described> contacts;
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {

@@ -3,7 +3,6 @@
 #include "asset/message.hpp"
 #include "scenes/takes.hpp"
 #include "tools/pelt/check/frame_line.hpp"
-#include "tools/pelt/check/surfaces.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include <algorithm>
@@ -55,9 +54,7 @@ Result<CheckPlan> CheckPlan::make(const scene::StagedScene& staged, const CheckS
   auto ignored = scenes::IgnoredPairs::make(scenes::characters_of(staged.scene), settings.ignore);
   if (!ignored) return ignored.error();
   CheckPlan plan = {
-      staged, settings, question, writes_lines, settings.frames.frames(), std::move(*ignored),
-      {},     {}};
-  if (settings.asks_inside || settings.describes_contacts) plan.surfaces = make_surfaces(staged);
+      staged, settings, question, writes_lines, settings.frames.frames(), std::move(*ignored), {}};
   if (!settings.self.asks_self()) return plan;
   auto filters = scene::make_self_filters(staged, settings.self.rules, settings.frames);
   if (!filters) return filters.error();
@@ -67,16 +64,16 @@ Result<CheckPlan> CheckPlan::make(const scene::StagedScene& staged, const CheckS
 
 CheckQuery::CheckQuery(const CheckPlan& plan, std::uint32_t threads)
     : plan_(plan), pairs_(make_pairs(plan, threads)) {
-  const auto& [staged, settings, question, writes_lines, frames, ignored, filters, surfaces] = plan;
+  const auto& [staged, settings, question, writes_lines, frames, ignored, filters] = plan;
   if (filters) self_.emplace(staged.colliders, *filters, threads);
-  if (settings.asks_inside) inside_.emplace(staged, ignored, surfaces);
+  if (settings.asks_inside) inside_.emplace(staged, ignored);
   if (settings.substeps) {
     between_.emplace(
         staged, *settings.substeps, ignored,
         BetweenTests{settings.self.asks_pairs(), filters ? &*filters : nullptr, threads});
     deviation_.emplace(staged);
   }
-  if (settings.describes_contacts) details_.emplace(staged, surfaces);
+  if (settings.describes_contacts) details_.emplace(staged);
 }
 
 CheckQuery::PairQuery CheckQuery::make_pairs(const CheckPlan& plan, std::uint32_t threads) {

@@ -32,7 +32,6 @@ struct CheckPlan {
   std::vector<std::uint32_t> frames;
   scenes::IgnoredPairs ignored;
   std::optional<scene::SelfFilters> filters;  ///< if bodies are tested against themselves
-  std::vector<Surface> surfaces;              ///< of each collider, with --inside or --contacts
 };
 
 /// Queries single frames, in any order. Answers do not depend on the order.

@@ -1,7 +1,6 @@
 #include "tools/pelt/check/check_record.hpp"
 
 #include "scenes/takes.hpp"
-#include "tools/pelt/check/surfaces.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -127,9 +126,9 @@ Result<void> CheckRecord::finish_extras() {
   report_.patches = patches_.patches();
   report_.longest_patches = patches_.longest();
   if (inside_) {
-    const std::vector<Surface> surfaces = make_surfaces(staged_);
-    inside_->closed_colliders = static_cast<std::size_t>(std::count_if(
-        surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.is_closed(); }));
+    inside_->closed_colliders = static_cast<std::size_t>(
+        std::count_if(staged_.colliders.begin(), staged_.colliders.end(),
+                      [](const auto& collider) { return collider.model.surface().is_closed(); }));
     report_.inside = std::move(*inside_);
   }
   if (!between_) return {};

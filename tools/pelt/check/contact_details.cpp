@@ -18,8 +18,8 @@ void number_joints_in_assets(ContactGeometry& geometry, const scene::Collider& a
 
 }  // namespace
 
-ContactDetails::ContactDetails(const scene::StagedScene& staged, std::vector<Surface> surfaces)
-    : colliders_(staged.colliders), surfaces_(std::move(surfaces)), posed_(staged.colliders) {}
+ContactDetails::ContactDetails(const scene::StagedScene& staged)
+    : colliders_(staged.colliders), posed_(staged.colliders) {}
 
 Result<void> ContactDetails::describe(const scene::Palettes& palettes,
                                       const scene::FrameContacts& found) {
@@ -41,10 +41,9 @@ Result<void> ContactDetails::describe(const scene::Palettes& palettes,
 void ContactDetails::describe_pair(std::uint32_t a, std::uint32_t b, ContactGeometry& geometry) {
   const std::span<Pose> poses = posed_.poses();
   if (a == b)
-    describe_contacts(poses[a], surfaces_[a], contacts_, scratch_, geometry);
+    describe_contacts(poses[a], contacts_, scratch_, geometry);
   else
-    describe_contacts(poses[a], surfaces_[a], poses[b], surfaces_[b], contacts_, scratch_,
-                      geometry);
+    describe_contacts(poses[a], poses[b], contacts_, scratch_, geometry);
 }
 
 }  // namespace pelt::tools::check

@@ -15,8 +15,8 @@ namespace pelt::tools::check {
 
 class ContactDetails {
  public:
-  /// `staged` must outlive this. `surfaces`: of each collider.
-  ContactDetails(const scene::StagedScene& staged, std::vector<Surface> surfaces);
+  /// `staged` must outlive this.
+  explicit ContactDetails(const scene::StagedScene& staged);
 
   /// Replaces the geometry by that of contacts that were found with these palettes.
   Result<void> describe(const scene::Palettes& palettes, const scene::FrameContacts& found);
@@ -29,7 +29,6 @@ class ContactDetails {
   void describe_pair(std::uint32_t a, std::uint32_t b, ContactGeometry& geometry);
 
   std::span<const scene::Collider> colliders_;
-  std::vector<Surface> surfaces_;  // of each collider; shared if the model is
   scene::ScenePoses posed_;
   Scratch scratch_;
   std::vector<Contact> contacts_;

@@ -37,12 +37,8 @@ void InsideTally::add_held(std::uint32_t inner, std::uint32_t outer, std::uint32
     ++held[known->second].frames;
 }
 
-InsideQuery::InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored,
-                         std::vector<Surface> surfaces)
-    : staged_(staged),
-      ignored_(ignored),
-      surfaces_(std::move(surfaces)),
-      posed_(staged.colliders) {}
+InsideQuery::InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored)
+    : staged_(staged), ignored_(ignored), posed_(staged.colliders) {}
 
 Result<void> InsideQuery::ask(const scene::Palettes& palettes, const scene::FrameContacts& found) {
   pairs_.clear();
@@ -64,8 +60,7 @@ void InsideQuery::ask_pair(std::uint32_t a, std::uint32_t b, bool touches) {
     pair.b_in_a = deepest(b, a);
   } else {
     const std::span<Pose> poses = posed_.poses();
-    work_ +=
-        containment(poses[a], surfaces_[a], poses[b], surfaces_[b], scratch_, pair.containment);
+    work_ += containment(poses[a], poses[b], scratch_, pair.containment);
   }
   const bool is_inside = pair.containment != Containment::none;
   if (is_inside || pair.a_in_b || pair.b_in_a) pairs_.push_back(pair);
@@ -82,9 +77,9 @@ bool InsideQuery::is_ignored(std::uint32_t a, std::uint32_t b) {
 
 Penetration InsideQuery::deepest(std::uint32_t a, std::uint32_t b) {
   Penetration found;
-  if (!surfaces_[b].is_closed()) return found;
   const std::span<Pose> poses = posed_.poses();
-  work_ += deepest_vertex(poses[a], surfaces_[a], poses[b], surfaces_[b], scratch_, found);
+  if (!poses[b].model().surface().is_closed()) return found;
+  work_ += deepest_vertex(poses[a], poses[b], scratch_, found);
   return found;
 }
 

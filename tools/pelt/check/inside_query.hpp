@@ -56,10 +56,9 @@ struct InsideTally {
 
 class InsideQuery {
  public:
-  /// `surfaces`: of each collider. Skips pairs of colliders whose triangles are all matched by one
-  /// rule of `ignored`. The objects that `staged` borrows, and `ignored`, must outlive this object.
-  InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored,
-              std::vector<Surface> surfaces);
+  /// Skips pairs of colliders whose triangles are all matched by one rule of `ignored`. The objects
+  /// that `staged` borrows, and `ignored`, must outlive this object.
+  InsideQuery(const scene::StagedScene& staged, const scenes::IgnoredPairs& ignored);
 
   /// Replaces the results by those for these palettes. `found` has the contacts of the frame.
   /// Computes the depth of touching pairs, and whether one body of the other pairs contains the
@@ -79,7 +78,6 @@ class InsideQuery {
   scene::StagedScene staged_;
   const scenes::IgnoredPairs& ignored_;
   std::map<Bodies, bool> are_ignored_;  // pairs that were looked up
-  std::vector<Surface> surfaces_;       // of each collider
   scene::NearPairs near_pairs_;
   scene::ScenePoses posed_;
   Scratch scratch_;
