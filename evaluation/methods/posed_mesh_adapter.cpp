@@ -34,9 +34,9 @@ class PosedMeshAdapter final : public Method {
   }
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
+                     const Limits& limits) override {
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
-    const QueryStats work = method_->collide(a, b, contacts, options.max_contacts);
+    const QueryStats work = method_->collide(a, b, contacts, limits.max_contacts);
     std::sort(contacts.begin() + first, contacts.end());
     return work;
   }

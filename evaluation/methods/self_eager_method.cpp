@@ -29,12 +29,12 @@ class SelfEagerMethod final : public Method {
   }
 
   QueryStats collide(std::uint32_t a, std::uint32_t, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
+                     const Limits& limits) override {
     Body& body = *bodies_[a];
     found_.clear();
     const QueryStats work = detail::collide(body.pose, body.pose, scratch_, found_, {});
     body.skin();
-    const std::size_t most = contacts.size() + options.max_contacts;
+    const std::size_t most = contacts.size() + limits.max_contacts;
     for (const Contact& contact : found_) {
       if (contact.triangle_a >= contact.triangle_b || !body.intersect(contact)) continue;
       if (contacts.size() == most) break;

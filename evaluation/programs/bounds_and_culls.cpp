@@ -58,9 +58,9 @@ void open_all(Pose& pose) {
   detail::open_all(posed);
 }
 
-Bounds bounds_of(Pose& pose, const BoundsOptions& options = {}) {
+Bounds bounds_of(Pose& pose, std::uint32_t levels = 0) {
   Bounds found;
-  bounds(pose, found, options);
+  bounds(pose, found, levels);
   return found;
 }
 
@@ -79,8 +79,8 @@ class Questions {
     const auto skinned = [this](Pose& pose) { return numbers(skin_all(pose, positions_)); };
     std::vector<Question> questions = {
         {"box", [](Pose& pose) { return numbers(bounds_of(pose).box); }, skinned, false},
-        {"box_3_levels", [](Pose& pose) { return numbers(bounds_of(pose, {.levels = 3}).box); },
-         skinned, false},
+        {"box_3_levels", [](Pose& pose) { return numbers(bounds_of(pose, 3).box); }, skinned,
+         false},
         {"box_exact", [](Pose& pose) { return numbers(exact_box(pose)); }, skinned}};
     for (const auto& [name, place] : {std::pair("apart", 3.0f), std::pair("across", 0.4f)}) {
       questions.push_back(placed("half_space_" + std::string(name), place, half_space));

@@ -275,7 +275,7 @@ class Costs {
   Scratch scratch_;
   std::vector<ClosestPoint> closest_;
   std::vector<Contact> contacts_;
-  std::vector<NearPair> near_;
+  std::vector<Contact> near_;
   ContactGeometry geometry_;
 };
 

@@ -28,16 +28,13 @@ struct Bounds {
   Sphere sphere;  ///< has the same centre as `box`
 };
 
-struct BoundsOptions {
-  /// Number of tree levels to open. With 0, box and sphere are computed from the joint palette
-  /// and the morph weights, without posing vertices. The box is exact if `levels` is at least the
-  /// depth of the tree. Nodes that cannot extend the box found so far are not opened.
-  std::uint32_t levels = 0;
-};
-
 /// Writes a box and a sphere in the frame of the joint palette. Both are guaranteed to enclose the
 /// posed surface. The guarantee includes rounding: box and sphere contain the float32 posed
 /// vertices (see `posed_vertices`) of all triangles.
+///
+/// `levels`: number of tree levels to open, where opening can still extend the box found so far.
+///   With 0, box and sphere are computed from the joint palette and the morph weights, without
+///   posing vertices. The box is exact if `levels` is at least the depth of the tree.
 ///
 /// Cost: O(J) with `levels` 0, about two and a half times as much as `set_palette`. Each morph
 /// weight other than 0 adds at most O(J). With `levels` 0, no node is opened. Each additional level
@@ -51,7 +48,7 @@ struct BoundsOptions {
 /// transforms these boxes, and the result encloses all of them. If the weights of each joint are
 /// nearly an affine function of the rest position, `bounds` may compute a tighter box in another
 /// way.
-PELT_API QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options = {});
+PELT_API QueryStats bounds(Pose& pose, Bounds& result, std::uint32_t levels = 0);
 
 /// Writes the exact box of the posed surface, and a sphere that is guaranteed to enclose the posed
 /// surface. The box has the smallest and largest coordinates of all posed vertices of triangles

@@ -5,26 +5,9 @@
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 
-#include <compare>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace pelt {
-
-/// Two intersecting triangles, as indices into the triangle arrays of the two models.
-struct Contact {
-  std::uint32_t triangle_a = 0, triangle_b = 0;
-
-  friend auto operator<=>(const Contact&, const Contact&) = default;
-};
-
-struct CollideOptions {
-  /// Stop after this number of contacts. Which contacts are found first is unspecified;
-  /// `QueryStats::cut_short` says whether any may be missing. With 0, the query finds no contact,
-  /// and `cut_short` says whether the boxes of the two poses overlap.
-  std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
-};
 
 /// Appends every pair of intersecting triangles of `a` and `b` to `contacts`, in ascending order.
 ///
@@ -42,13 +25,16 @@ struct CollideOptions {
 /// Each node is opened at most once until the palette or the morph weights change. Poses that are
 /// far apart cost O(J), plus at most O(J) for each morph weight other than 0.
 ///
+/// `limits`: with `max_contacts` 0, the query finds no contact, and `QueryStats::cut_short` says
+/// whether the boxes of the two poses overlap.
+///
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `contacts` than any
 /// earlier query.
 ///
 /// Source: boxes are computed on demand as in section 4.2 of Kavan & Zara 2005. The tree and its
 /// bounds are Pelt's own.
 PELT_API QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
-                            const CollideOptions& options = {});
+                            const Limits& limits = {});
 
 /// Returns whether any triangles of `a` and `b` intersect. Like `collide`, but stops at the first
 /// contact.

@@ -60,7 +60,7 @@ struct CrowdOptions {
   std::uint32_t threads = 0;
 
   /// Stop the test of each pair of instances, and of each instance against itself, after this
-  /// number of contacts, as with `CollideOptions::max_contacts`.
+  /// number of contacts, as with `Limits::max_contacts`.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 
   /// Called once for each pair of instances whose boxes overlap and whose collision masks match,

@@ -31,7 +31,6 @@
 #include <pelt/query.hpp>
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -59,11 +58,6 @@ struct ClosestPoint {
   explicit operator bool() const { return distance < std::numeric_limits<double>::infinity(); }
 };
 
-struct ClosestPointOptions {
-  /// Ignore everything farther away. A negative or NaN value aborts the program, in every build.
-  double max_distance = std::numeric_limits<double>::infinity();
-};
-
 /// Writes the point of the posed surface that is closest to `point`. The distance of a point on the
 /// surface may be slightly more than 0.
 ///
@@ -76,15 +70,14 @@ struct ClosestPointOptions {
 /// Cost: grows with the number of triangles that are about as close as the closest point. Allocates
 /// only if it needs more memory in the pose or in `scratch` than any earlier query.
 PELT_API QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch,
-                                  ClosestPoint& result, const ClosestPointOptions& options = {});
+                                  ClosestPoint& result, const Limits& limits = {});
 
 /// Writes the closest point for each of `points`. Nodes that one point opens stay open for all
 /// later points.
 ///
 /// Precondition: `results` has one element per point. Otherwise the program aborts, in every build.
 PELT_API QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
-                                   std::span<ClosestPoint> results,
-                                   const ClosestPointOptions& options = {});
+                                   std::span<ClosestPoint> results, const Limits& limits = {});
 
 /// Result of `distance`.
 struct Distance {
@@ -94,8 +87,8 @@ struct Distance {
 
   /// Proven lower bound of the least distance. If the query was not cut short, equals `distance` if
   /// the tolerance is 0, and `max_distance` if nothing is within `max_distance`. If
-  /// `DistanceOptions::work` cut the query short, the least distance is between `lower_bound` and
-  /// `distance`.
+  /// `DistanceOptions::max_work` cut the query short, the least distance is between `lower_bound`
+  /// and `distance`.
   double lower_bound = 0;
 
   SurfacePoint a, b;
@@ -127,7 +120,7 @@ struct DistanceOptions {
   /// lowest. Opening nodes that earlier queries have opened is not counted, so results that were
   /// cut short depend on earlier queries, but not on the machine. The step that reaches the limit
   /// is finished. The distance from a height field ignores this limit.
-  std::uint64_t work = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// Writes the least distance between a triangle of `a` and a triangle of `b`, and two points at
@@ -145,20 +138,6 @@ struct DistanceOptions {
 PELT_API QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
                              const DistanceOptions& options = {});
 
-/// Two triangles within the tolerance of `clearance`, as indices into the triangle arrays of the
-/// two models.
-struct NearPair {
-  std::uint32_t triangle_a = 0, triangle_b = 0;
-
-  friend auto operator<=>(const NearPair&, const NearPair&) = default;
-};
-
-struct ClearanceOptions {
-  /// Stop after this number of pairs. Which pairs are found first is unspecified;
-  /// `QueryStats::cut_short` says whether any may be missing.
-  std::uint32_t max_pairs = std::numeric_limits<std::uint32_t>::max();
-};
-
 /// Appends every pair of triangles of `a` and `b` whose distance is at most `tolerance`, in
 /// ascending order. With a tolerance of 0, these are the pairs of `collide`.
 ///
@@ -171,7 +150,7 @@ struct ClearanceOptions {
 /// Allocates only if it needs more memory in the poses, in `scratch` or in `pairs` than any earlier
 /// query.
 PELT_API QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
-                              std::vector<NearPair>& pairs, const ClearanceOptions& options = {});
+                              std::vector<Contact>& pairs, const Limits& limits = {});
 
 /// Returns whether any triangle of `a` is within `tolerance` of any triangle of `b`. Like
 /// `clearance`, with the same preconditions, but stops at the first pair.

@@ -98,7 +98,7 @@ PELT_API Result<HeightField> build_height_field(const HeightGrid& grid);
 /// look-up takes constant time for fields of any size. Triangles of the field are generated only
 /// where they are needed. Allocates like `collide` of two poses.
 PELT_API QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
-                            std::vector<Contact>& contacts, const CollideOptions& options = {});
+                            std::vector<Contact>& contacts, const Limits& limits = {});
 
 /// Returns whether any triangle of the posed skin intersects the field. Like `collide`, but stops
 /// at the first contact.
@@ -135,10 +135,10 @@ PELT_API QueryStats distance(Pose& pose, const HeightField& field, Scratch& scra
 /// Cost: visits square blocks of cells in the order in which the ray enters the blocks. In each
 /// block, tests the cells that the ray crosses. Allocates nothing.
 PELT_API QueryStats cast(const HeightField& field, std::span<const Ray> rays,
-                         std::span<RayHit> hits, const CastOptions& options = {});
+                         std::span<RayHit> hits, Facing facing = Facing::both);
 
 /// Like `cast` of several rays, for one ray.
 PELT_API QueryStats cast(const HeightField& field, const Ray& ray, RayHit& result,
-                         const CastOptions& options = {});
+                         Facing facing = Facing::both);
 
 }  // namespace pelt

@@ -70,7 +70,7 @@ struct MovingOptions {
   /// meaning, and the query is faster.
   bool times = true;
 
-  /// As in `CollideOptions`. The contacts that are found first need not be the earliest.
+  /// As in `Limits`. The contacts that are found first need not be the earliest.
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 };
 
@@ -111,16 +111,11 @@ PELT_API MovingStats collide(const Motion& a, const Motion& b, Scratch& scratch,
 /// `collide`, but stops at the first contact that it finds.
 PELT_API YesNo intersects(const Motion& a, const Motion& b, Scratch& scratch);
 
-struct FirstContactOptions {
-  /// Leaves out pairs that intersect at time 0.
-  bool leave_out_start = false;
-};
-
 /// Sets `first` to the pair of triangles with the least exact first time; of pairs with exactly the
 /// same time, to the lowest. If nothing intersects, `first` is empty. The pair is one of those that
 /// `collide` finds, with the same time and features.
 ///
-/// Preconditions and allocation: those of `collide`.
+/// Of `options`, only `leave_out_start` applies. Preconditions and allocation: those of `collide`.
 ///
 /// Cost: looks for the lowest pair at time 0 first, and skips parts of a's tree whose triangles all
 /// have higher numbers than those of the lowest pair found so far. If nothing intersects at time 0,
@@ -128,6 +123,6 @@ struct FirstContactOptions {
 /// the earliest time found so far.
 PELT_API MovingStats first_contact(const Motion& a, const Motion& b, Scratch& scratch,
                                    std::optional<MovingContact>& first,
-                                   const FirstContactOptions& options = {});
+                                   const MovingOptions& options = {});
 
 }  // namespace pelt

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Work counters and reusable memory, common to all queries.
+/// Contacts, limits, work counters and reusable memory, common to all queries.
 ///
 /// Results: a query with one result overwrites the caller's object. A query that finds a list
 /// appends to the caller's vectors. `describe_contacts` is an exception: it replaces the contents
@@ -14,8 +14,10 @@
 #include <pelt/config.hpp>
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace pelt {
@@ -53,6 +55,25 @@ struct QueryStats {
 /// The work of a query in units of about one test of two triangles: the counts of QueryStats,
 /// multiplied by the constants of pelt/search.hpp.
 PELT_API std::uint64_t work_of(const QueryStats& stats);
+
+/// Two triangles that a query has found, as indices into the triangle arrays of the two models.
+/// They intersect, or are within the tolerance of `clearance`.
+struct Contact {
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+
+  friend auto operator<=>(const Contact&, const Contact&) = default;
+};
+
+/// Limits of a query. A query without contacts ignores `max_contacts`, and one without distances
+/// `max_distance`.
+struct Limits {
+  /// Stop after this number of contacts. Which contacts are found first is unspecified;
+  /// `QueryStats::cut_short` says whether any may be missing.
+  std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
+
+  /// Ignore everything farther away. A negative or NaN value aborts the program, in every build.
+  double max_distance = std::numeric_limits<double>::infinity();
+};
 
 /// A yes-or-no answer, with the work of the query:
 ///
@@ -100,10 +121,10 @@ class PELT_API Scratch {
   /// than in any earlier call.
   ///
   /// `contacts`: largest number of contacts that a query finds. A limit such as `max_contacts` also
-  ///   limits this number. 1 suffices for `intersects`. Each `NearPair` counts as a contact, and so
-  ///   does each triangle found in a region. `distance` of two poses reports one pair of triangles,
-  ///   but every touching pair counts. `distance` from a solid reports one triangle, but every
-  ///   triangle that touches the solid counts.
+  ///   limits this number. 1 suffices for `intersects`. Each triangle
+  ///   found in a region counts as a contact, too. `distance` of two poses reports one pair of
+  ///   triangles, but every touching pair counts. `distance` from a solid reports one triangle, but
+  ///   every triangle that touches the solid counts.
   /// `ray_hits`: largest number of hits of `cast_all`.
   /// `self`: `SelfFilter::scratch_size` of the filter of `self_collide`. For several filters, call
   ///   `reserve` once for each. `self_intersection_volume` needs the size of any filter of the

@@ -49,10 +49,6 @@ enum class Facing : std::uint8_t {
   back,   ///< only triangles hit from their back
 };
 
-struct CastOptions {
-  Facing facing = Facing::both;
-};
-
 inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFF;
 
 struct RayHit {
@@ -92,17 +88,16 @@ struct RayHit {
 ///
 /// Allocates only in the pose, for nodes that are opened.
 PELT_API QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
-                         const CastOptions& options = {});
+                         Facing facing = Facing::both);
 
 /// Like `cast` of several rays, for one ray.
-PELT_API QueryStats cast(Pose& pose, const Ray& ray, RayHit& result,
-                         const CastOptions& options = {});
+PELT_API QueryStats cast(Pose& pose, const Ray& ray, RayHit& result, Facing facing = Facing::both);
 
 /// Writes whether each ray hits anything. Like `cast`, but stops at any hit.
 ///
 /// Precondition: `hit` has one element per ray. Otherwise the program aborts, in every build.
 PELT_API QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
-                             const CastOptions& options = {});
+                             Facing facing = Facing::both);
 
 /// Appends all hits of a ray, ordered by t, and hits with equal t by the index of the triangle. A
 /// ray through a shared edge hits all triangles at the edge.
@@ -112,7 +107,7 @@ PELT_API QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bo
 /// Allocates only if it needs more memory in the pose, in `scratch` or in `hits` than any earlier
 /// query.
 PELT_API QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch,
-                             std::vector<RayHit>& hits, const CastOptions& options = {});
+                             std::vector<RayHit>& hits, Facing facing = Facing::both);
 
 /// A joint, and the share with which it moves a point.
 struct JointShare {

@@ -209,7 +209,8 @@ class PELT_API FirstContactSearch {
   /// Default of `max_open`.
   static constexpr std::uint32_t kMaxOpen = CollisionSearch::kMaxOpen;
 
-  /// Starts a search by comparing the boxes of the four poses.
+  /// Starts a search by comparing the boxes of the four poses. Of `options`, only
+  /// `leave_out_start` applies.
   ///
   /// `max_open`: limit of the number of open pairs of nodes or clusters. Beyond the limit, the
   ///   search finishes the pair that it has begun before it begins another one, and `apart_until`
@@ -219,7 +220,7 @@ class PELT_API FirstContactSearch {
   /// no pose in common. Otherwise the program aborts, in every build.
   ///
   /// Cost: O(J). Allocates.
-  FirstContactSearch(const Motion& a, const Motion& b, const FirstContactOptions& options = {},
+  FirstContactSearch(const Motion& a, const Motion& b, const MovingOptions& options = {},
                      std::uint32_t max_open = kMaxOpen);
   FirstContactSearch(FirstContactSearch&&) noexcept;
   FirstContactSearch& operator=(FirstContactSearch&&) noexcept;

@@ -63,7 +63,7 @@ struct SelfStats : QueryStats {
 /// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
 /// earlier query.
 PELT_API SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& scratch,
-                                std::vector<Contact>& contacts, const CollideOptions& options = {});
+                                std::vector<Contact>& contacts, const Limits& limits = {});
 
 /// Returns whether any triangles of `pose` intersect each other. Like `self_collide`, but stops at
 /// the first contact that the filter does not leave out.
@@ -110,7 +110,7 @@ class PELT_API SelfTracker {
 /// Allocates only if it needs more memory in the pose, in `scratch` or in `contacts` than any
 /// earlier query.
 PELT_API SelfStats self_collide(Pose& pose, SelfTracker& tracker, Scratch& scratch,
-                                std::vector<Contact>& contacts, const CollideOptions& options = {});
+                                std::vector<Contact>& contacts, const Limits& limits = {});
 
 /// Work of `self_collide` of a motion, and the number of pairs that its filters have left out.
 struct SelfMovingStats : MovingStats {

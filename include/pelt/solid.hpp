@@ -160,7 +160,7 @@ struct SolidDistance {
 /// Cost: visits the closest boxes first, like `closest_point`. If the skin touches the solid, the
 /// query costs as much as `collide`.
 PELT_API QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch,
-                             SolidDistance& result, const ClosestPointOptions& options = {});
+                             SolidDistance& result, const Limits& limits = {});
 
 /// Where a ray enters a solid. If the ray does not hit the solid, t is infinite.
 struct SolidHit {

@@ -44,8 +44,8 @@ QueryStats bounds_of_levels(Pose& pose, std::uint32_t levels, Bounds& result) {
 
 }  // namespace
 
-QueryStats bounds(Pose& pose, Bounds& result, const BoundsOptions& options) {
-  return bounds_of_levels(pose, options.levels, result);
+QueryStats bounds(Pose& pose, Bounds& result, std::uint32_t levels) {
+  return bounds_of_levels(pose, levels, result);
 }
 
 QueryStats exact_bounds(Pose& pose, Bounds& result) {

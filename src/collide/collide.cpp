@@ -10,10 +10,10 @@
 namespace pelt {
 
 QueryStats collide(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& contacts,
-                   const CollideOptions& options) {
+                   const Limits& limits) {
   detail::require(&a != &b, "collide: `a` and `b` are the same pose; give two poses");
   const QueryStats stats = detail::collide_trees(a.detail().posed_tree(), b.detail().posed_tree(),
-                                                 scratch.detail(), options.max_contacts);
+                                                 scratch.detail(), limits.max_contacts);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }

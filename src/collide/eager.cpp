@@ -22,9 +22,9 @@ struct EagerStep {
 }  // namespace
 
 QueryStats collide(EagerPose& a, EagerPose& b, Scratch& scratch, std::vector<Contact>& contacts,
-                   const CollideOptions& options) {
+                   const Limits& limits) {
   const QueryStats stats =
-      collide_trees(a.posed_tree(), b.posed_tree(), scratch, options.max_contacts);
+      collide_trees(a.posed_tree(), b.posed_tree(), scratch, limits.max_contacts);
   append_sorted(scratch, contacts);
   return stats;
 }

@@ -16,7 +16,7 @@ namespace pelt::detail {
 /// Appends the contacts of two poses, ascending; see pelt::collide. Precondition: all nodes are
 /// open in both.
 QueryStats collide(EagerPose& a, EagerPose& b, Scratch& scratch, std::vector<Contact>& contacts,
-                   const CollideOptions& options);
+                   const Limits& limits);
 
 /// A step between two poses of one model. Precondition of queries: all nodes are open in both.
 struct EagerMotion {

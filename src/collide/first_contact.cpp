@@ -9,7 +9,7 @@
 namespace pelt {
 
 MovingStats first_contact(const Motion& a, const Motion& b, Scratch& scratch,
-                          std::optional<MovingContact>& first, const FirstContactOptions& options) {
+                          std::optional<MovingContact>& first, const MovingOptions& options) {
   detail::require_steps(a, b);
   MovingStats work;
   if (!options.leave_out_start) {

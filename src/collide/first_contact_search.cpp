@@ -28,7 +28,7 @@ MovingStats with_views(const detail::SearchOfMotions& search, const Run& run) {
 }  // namespace
 
 FirstContactSearch::FirstContactSearch(const Motion& a, const Motion& b,
-                                       const FirstContactOptions& options, std::uint32_t max_open) {
+                                       const MovingOptions& options, std::uint32_t max_open) {
   detail::require_steps(a, b);
   search_ = std::make_unique<detail::SearchOfMotions>(a, b);
   search_->state.leave_out_start = options.leave_out_start;

@@ -34,9 +34,9 @@ QueryStats least_distance(Scratch& scratch, const DistanceOptions& options, Dist
                           const FindClosest& find_closest) {
   require(options.max_distance >= 0 && options.tolerance >= 0,
           "distance: the maximum distance or the tolerance is negative or NaN");
-  const bool is_limited = options.work != SearchLimits::kUnlimited;
-  QueryStats stats = find_touching(options.tolerance > 0 ? 1 : CollideOptions().max_contacts,
-                                   is_limited ? options.work / 2 : options.work);
+  const bool is_limited = options.max_work != SearchLimits::kUnlimited;
+  QueryStats stats = find_touching(options.tolerance > 0 ? 1 : Limits().max_contacts,
+                                   is_limited ? options.max_work / 2 : options.max_work);
   const bool is_unsure = is_limited && stats.cut_short;  // whether they touch
   stats.cut_short = false;
   if (Stack<Contact>& found = scratch.found; !found.empty()) {
@@ -47,7 +47,7 @@ QueryStats least_distance(Scratch& scratch, const DistanceOptions& options, Dist
   const ClusterSlots hint = options.hint ? Access::numbers(options.hint->location) : ClusterSlots{};
   TriangleGap gap;
   SearchLimits limits = {options.max_distance, options.tolerance, options.hint ? &hint : nullptr};
-  if (is_limited) limits.work = options.work - std::min(options.work, work_of(stats));
+  if (is_limited) limits.work = options.max_work - std::min(options.max_work, work_of(stats));
   stats += find_closest(limits, gap);
   stats.cut_short = stats.cut_short || is_unsure;
   result = distance_apart(gap, options);

@@ -50,23 +50,23 @@ QueryStats find_within(Pose& a, Pose& b, double tolerance, Scratch& scratch,
 }  // namespace
 
 QueryStats closest_point(Pose& pose, const Vec3& point, Scratch& scratch, ClosestPoint& result,
-                         const ClosestPointOptions& options) {
-  require(options.max_distance >= 0, "closest_point: the maximum distance is negative or NaN");
+                         const Limits& limits) {
+  require(limits.max_distance >= 0, "closest_point: the maximum distance is negative or NaN");
   require(detail::is_finite(point), "closest_point: the point is NaN or infinite");
   detail::PointGap gap;
   const QueryStats stats = detail::closest_to_point(pose.detail().posed_tree(), point,
-                                                    scratch.detail(), options.max_distance, gap);
+                                                    scratch.detail(), limits.max_distance, gap);
   result.distance = std::sqrt(gap.closest.squared_distance);
   result.point = surface_point(gap.triangle, gap.corners, gap.closest.at);
   return stats;
 }
 
 QueryStats closest_points(Pose& pose, std::span<const Vec3> points, Scratch& scratch,
-                          std::span<ClosestPoint> results, const ClosestPointOptions& options) {
+                          std::span<ClosestPoint> results, const Limits& limits) {
   require(points.size() == results.size(), "closest_points: give one result for each point");
   QueryStats stats;
   for (std::size_t i = 0; i < points.size(); ++i)
-    stats += closest_point(pose, points[i], scratch, results[i], options);
+    stats += closest_point(pose, points[i], scratch, results[i], limits);
   return stats;
 }
 
@@ -90,10 +90,10 @@ QueryStats distance(Pose& a, Pose& b, Scratch& scratch, Distance& result,
 }
 
 QueryStats clearance(Pose& a, Pose& b, double tolerance, Scratch& scratch,
-                     std::vector<NearPair>& pairs, const ClearanceOptions& options) {
+                     std::vector<Contact>& pairs, const Limits& limits) {
   require(&a != &b, "clearance: `a` and `b` are the same pose; give two poses");
   require(tolerance >= 0, "clearance: the tolerance is negative or NaN");
-  const std::uint32_t most = options.max_pairs;
+  const std::uint32_t most = limits.max_contacts;
   QueryStats stats = find_within(a, b, tolerance, scratch, most == UINT32_MAX ? most : most + 1);
   detail::Stack<Contact>& found = scratch.detail().found;
   stats.cut_short = found.size() > most;

@@ -35,9 +35,9 @@ MovingStats find_moving(const Motion& motion, const HeightField& field, Scratch&
 }  // namespace
 
 QueryStats collide(Pose& pose, const HeightField& field, Scratch& scratch,
-                   std::vector<Contact>& contacts, const CollideOptions& options) {
+                   std::vector<Contact>& contacts, const Limits& limits) {
   const QueryStats stats =
-      find_contacts(pose.detail().posed_tree(), field, scratch, options.max_contacts);
+      find_contacts(pose.detail().posed_tree(), field, scratch, limits.max_contacts);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
@@ -79,18 +79,17 @@ QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Dist
 }
 
 QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
-                const CastOptions& options) {
+                Facing facing) {
   detail::require(hits.size() == rays.size(), "cast: give one hit for each ray");
   detail::require(detail::are_valid(rays), "cast: a ray has a NaN or infinite coordinate");
   QueryStats stats;
   for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = detail::cast_at_field(field.detail(), rays[i], options.facing, stats);
+    hits[i] = detail::cast_at_field(field.detail(), rays[i], facing, stats);
   return stats;
 }
 
-QueryStats cast(const HeightField& field, const Ray& ray, RayHit& result,
-                const CastOptions& options) {
-  return cast(field, std::span(&ray, 1), std::span(&result, 1), options);
+QueryStats cast(const HeightField& field, const Ray& ray, RayHit& result, Facing facing) {
+  return cast(field, std::span(&ray, 1), std::span(&result, 1), facing);
 }
 
 }  // namespace pelt

@@ -98,7 +98,7 @@ class DeepestVertex {
     const double depth = deepest_.depth;
     ClosestPoint closest;
     if (deepest_) {
-      work_ += closest_point(b_, position, scratch_, closest, {depth});
+      work_ += closest_point(b_, position, scratch_, closest, {.max_distance = depth});
       if (closest && (closest.distance < depth || vertex >= deepest_.vertex)) return;
     }
     if (side == Side::unknown && !is_inside(position)) return;

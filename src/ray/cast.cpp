@@ -26,30 +26,28 @@ Ray segment(const Vec3& from, const Vec3& to) {
   return {from, {to.x - from.x, to.y - from.y, to.z - from.z}, 0, 1};
 }
 
-QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits,
-                const CastOptions& options) {
+QueryStats cast(Pose& pose, std::span<const Ray> rays, std::span<RayHit> hits, Facing facing) {
   detail::require(hits.size() == rays.size(), "cast: give one hit for each ray");
   detail::require(detail::are_valid(rays), "cast: a ray has a NaN or infinite coordinate");
-  return detail::first_hits(pose.detail().posed_tree(), rays, options.facing, hits);
+  return detail::first_hits(pose.detail().posed_tree(), rays, facing, hits);
 }
 
-QueryStats cast(Pose& pose, const Ray& ray, RayHit& result, const CastOptions& options) {
-  return cast(pose, std::span(&ray, 1), std::span(&result, 1), options);
+QueryStats cast(Pose& pose, const Ray& ray, RayHit& result, Facing facing) {
+  return cast(pose, std::span(&ray, 1), std::span(&result, 1), facing);
 }
 
-QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit,
-                    const CastOptions& options) {
+QueryStats cast_any(Pose& pose, std::span<const Ray> rays, std::span<bool> hit, Facing facing) {
   detail::require(hit.size() == rays.size(), "cast_any: give one answer for each ray");
   detail::require(detail::are_valid(rays), "cast_any: a ray has a NaN or infinite coordinate");
-  return detail::any_hits(pose.detail().posed_tree(), rays, options.facing, hit);
+  return detail::any_hits(pose.detail().posed_tree(), rays, facing, hit);
 }
 
 QueryStats cast_all(Pose& pose, const Ray& ray, Scratch& scratch, std::vector<RayHit>& hits,
-                    const CastOptions& options) {
+                    Facing facing) {
   detail::require(detail::is_valid(ray), "cast_all: the ray has a NaN or infinite coordinate");
   detail::Stack<RayHit>& found = scratch.detail().ray_hits;
   found.clear();
-  const QueryStats work = detail::all_hits(pose.detail().posed_tree(), ray, options.facing, found);
+  const QueryStats work = detail::all_hits(pose.detail().posed_tree(), ray, facing, found);
   std::sort(found.begin(), found.end(), comes_before);
   hits.insert(hits.end(), found.begin(), found.end());
   return work;

@@ -18,22 +18,22 @@ bool is_filter_of(const SelfFilter& filter, const Pose& pose) {
 }  // namespace
 
 SelfStats self_collide(Pose& pose, const SelfFilter& filter, Scratch& scratch,
-                       std::vector<Contact>& contacts, const CollideOptions& options) {
+                       std::vector<Contact>& contacts, const Limits& limits) {
   detail::require(is_filter_of(filter, pose), "self_collide: the filter is of another model");
-  const SelfStats stats = detail::self_collide_tree(
-      pose.detail().posed_tree(), filter.detail(), nullptr, scratch.detail(), options.max_contacts);
+  const SelfStats stats = detail::self_collide_tree(pose.detail().posed_tree(), filter.detail(),
+                                                    nullptr, scratch.detail(), limits.max_contacts);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }
 
 SelfStats self_collide(Pose& pose, SelfTracker& tracker, Scratch& scratch,
-                       std::vector<Contact>& contacts, const CollideOptions& options) {
+                       std::vector<Contact>& contacts, const Limits& limits) {
   detail::SelfTrack& track = tracker.detail();
   detail::require(is_filter_of(track.filter, pose),
                   "self_collide: the tracker is of another model");
   const SelfStats stats =
       detail::self_collide_tree(pose.detail().posed_tree(), track.filter.detail(), &track,
-                                scratch.detail(), options.max_contacts);
+                                scratch.detail(), limits.max_contacts);
   detail::append_sorted(scratch.detail(), contacts);
   return stats;
 }

@@ -41,8 +41,8 @@ PreparedSolid::PreparedSolid(const Solid& s)
 }  // namespace detail
 
 QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDistance& result,
-                    const ClosestPointOptions& options) {
-  detail::require(options.max_distance >= 0, "distance: the maximum distance is negative or NaN");
+                    const Limits& limits) {
+  detail::require(limits.max_distance >= 0, "distance: the maximum distance is negative or NaN");
   const detail::PosedTree posed = pose.detail().posed_tree();
   const detail::PreparedSolid prepared(solid);
   QueryStats stats = detail::find_touching(posed, prepared.region, scratch.detail());
@@ -51,7 +51,7 @@ QueryStats distance(Pose& pose, const Solid& solid, Scratch& scratch, SolidDista
     return stats;
   }
   detail::SolidGap gap;
-  stats += detail::closest_to_solid(posed, prepared, scratch.detail(), options.max_distance, gap);
+  stats += detail::closest_to_solid(posed, prepared, scratch.detail(), limits.max_distance, gap);
   result.distance = gap.closest.distance;
   result.surface = detail::surface_point(gap.triangle, gap.corners, gap.closest.at);
   result.solid = detail::to_float(gap.closest.on_solid);

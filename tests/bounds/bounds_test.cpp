@@ -31,7 +31,7 @@ struct Asked {
     const Bounds widest = test::bounds_of(pose);
     expect_encloses(widest);
     for (const std::uint32_t levels : {1u, 2u, 3u, 200u}) {
-      const Bounds found = test::bounds_of(pose, {.levels = levels});
+      const Bounds found = test::bounds_of(pose, levels);
       expect_encloses(found);
       EXPECT_TRUE(test::encloses(widest.box, found.box));
     }
@@ -98,7 +98,7 @@ TEST(Bounds, AreTheSameAfterTheSameWorkOnEachTarget) {
       std::vector<QueryStats> work;
       test::on_each_instruction_set([&](InstructionSet) {
         ASSERT_TRUE(pose.set_palette(palette));
-        work.push_back(bounds(pose, found.emplace_back(), {.levels = levels}));
+        work.push_back(bounds(pose, found.emplace_back(), levels));
       });
       for (std::size_t i = 0; i < found.size(); ++i) {
         EXPECT_TRUE(test::same_bits(found[i].box, found[0].box));
@@ -183,7 +183,7 @@ TEST(Bounds, TightOnesOpenAPartOfTheTreeOnceAndLevelsBoundTheWork) {
   Bounds found;
   for (const std::uint32_t levels : {1u, 2u, 3u, 4u}) {
     ASSERT_TRUE(pose.set_palette(palette));
-    const QueryStats stats = bounds(pose, found, {.levels = levels});
+    const QueryStats stats = bounds(pose, found, levels);
     EXPECT_GE(stats.posed_vertices, posed);
     EXPECT_GT(stats.node_pairs, visits);
     posed = stats.posed_vertices, visits = stats.node_pairs;
@@ -205,7 +205,7 @@ TEST(Bounds, DoNotAllocateOnceThePoseIsReserved) {
   const std::size_t before = test::allocation_count();
   for (const std::uint32_t levels : {0u, 1u, 2u, 100u}) {
     ASSERT_TRUE(pose.set_palette(palette));
-    test::bounds_of(pose, {.levels = levels});
+    test::bounds_of(pose, levels);
   }
   EXPECT_EQ(test::allocation_count(), before);
   EXPECT_GT(test::allocation_count(), 0u) << "the counter must count";

@@ -44,7 +44,7 @@ TEST_P(SharedBounds, AreExactAndGuaranteedOnesAreClose) {
       ASSERT_TRUE(pose.set_palette(palette));
       const std::vector<Vec3> positions = test::all_posed(pose);
       const Box exact = test::box_of(asset->triangles, positions);
-      const Bounds guaranteed = test::bounds_of(pose), three = test::bounds_of(pose, {.levels = 3});
+      const Bounds guaranteed = test::bounds_of(pose), three = test::bounds_of(pose, 3);
       EXPECT_TRUE(test::encloses(guaranteed.box, exact)) << clip.name;
       EXPECT_TRUE(test::encloses(guaranteed.sphere, asset->triangles, positions)) << clip.name;
       EXPECT_TRUE(test::encloses(three.box, exact)) << clip.name;

@@ -132,7 +132,7 @@ void add_damaged(Random& random, const SkinnedModel& model, Answers& answers) {
 void add_bounds(Pose& pose, Answers& answers) {
   for (const std::uint32_t levels : {0u, 2u}) {
     Bounds box;
-    answers.add("bounds", bounds(pose, box, {.levels = levels}));
+    answers.add("bounds", bounds(pose, box, levels));
     answers.add("bounds", box.box.low);
     answers.add("bounds", box.box.high);
     answers.add("bounds", box.sphere.radius);
@@ -157,9 +157,9 @@ void add_contacts(Pose& a, Pose& b, Scratch& scratch, Answers& answers) {
 }
 
 void add_distances(Pose& a, Pose& b, Scratch& scratch, Answers& answers) {
-  std::vector<NearPair> pairs;
+  std::vector<Contact> pairs;
   answers.add("clearance", clearance(a, b, 0.01, scratch, pairs));
-  for (const NearPair& pair : pairs) answers.add("clearance", pair.triangle_a, pair.triangle_b);
+  for (const Contact& pair : pairs) answers.add("clearance", pair.triangle_a, pair.triangle_b);
   Distance found;
   answers.add("distance", distance(a, b, scratch, found));
   answers.add("distance", found.distance);

@@ -76,24 +76,15 @@ inline BruteDistance brute_distance(std::span<const TriangleCorners> a,
 }
 
 /// All pairs within a distance, in ascending order.
-inline std::vector<NearPair> brute_clearance(std::span<const TriangleCorners> a,
-                                             std::span<const TriangleCorners> b, double tolerance) {
-  std::vector<NearPair> pairs;
+inline std::vector<Contact> brute_clearance(std::span<const TriangleCorners> a,
+                                            std::span<const TriangleCorners> b, double tolerance) {
+  std::vector<Contact> pairs;
   for (std::uint32_t i = 0; i < a.size(); ++i)
     for (std::uint32_t j = 0; j < b.size(); ++j)
       if (box_gap(a[i], b[j]) <= tolerance * (1 + 1e-6) &&
           triangle_distance(a[i], b[j]) <= tolerance)
         pairs.push_back({i, j});
   return pairs;
-}
-
-/// Whether the near pairs equal the contacts.
-inline bool same_pairs(std::span<const NearPair> pairs, std::span<const Contact> contacts) {
-  return std::equal(pairs.begin(), pairs.end(), contacts.begin(), contacts.end(),
-                    [](const NearPair& pair, const Contact& contact) {
-                      return pair.triangle_a == contact.triangle_a &&
-                             pair.triangle_b == contact.triangle_b;
-                    });
 }
 
 /// Compares two answers bit by bit.

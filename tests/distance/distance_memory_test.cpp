@@ -17,7 +17,7 @@ using test::Random;
 using test::Shape;
 
 /// Runs all queries in the current palettes.
-void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<NearPair>& pairs) {
+void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<Contact>& pairs) {
   Distance closest;
   distance(a, b, scratch, closest);
   pairs.clear();
@@ -30,7 +30,7 @@ void ask(Pose& a, Pose& b, Scratch& scratch, std::vector<NearPair>& pairs) {
 TEST(DistanceMemory, DoesNotAllocateOnceWarm) {
   Random random(150);
   Limbs limbs;
-  std::vector<NearPair> pairs;
+  std::vector<Contact> pairs;
   for (int round = 0; round < 20; ++round) {
     const auto palette_a = test::bend_limb(random, 5, 0.3, {});
     const auto palette_b = test::bend_limb(random, 4, 0.3, random.point(1));
@@ -54,7 +54,7 @@ TEST(DistanceMemory, DoesNotAllocateOnceReserved) {
       const Shape soup = test::make_soup(random, 200, 20, 4, test::Weights::random);
       Pose a(*build_model(soup.view())), b(a.model());
       Scratch scratch;
-      std::vector<NearPair> pairs;
+      std::vector<Contact> pairs;
       pairs.reserve(kContacts);
       const auto palette_a = test::make_palette(random, 20, motion, 1);
       const auto palette_b = test::make_palette(random, 20, motion, 1);

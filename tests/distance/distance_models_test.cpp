@@ -69,10 +69,10 @@ TEST_P(DistanceOfModels, EqualsBruteForce) {
     EXPECT_EQ(closest.a.triangle, expected.triangle_a);
     EXPECT_EQ(closest.b.triangle, expected.triangle_b);
     std::vector<Contact> contacts;
-    std::vector<NearPair> touching;
+    std::vector<Contact> touching;
     collide(actors.a, actors.b, actors.scratch, contacts);
     clearance(actors.a, actors.b, 0, actors.scratch, touching);
-    EXPECT_TRUE(test::same_pairs(touching, contacts));
+    EXPECT_EQ(touching, contacts);
     EXPECT_EQ(closest.distance == 0, !contacts.empty());
   }
 }

@@ -64,7 +64,7 @@ TEST(Distance, IsAnIntervalAfterAnyAmountOfWork) {
         limbs.b.reserve();
         Distance closest;
         const bool is_cut = distance(limbs.a, limbs.b, limbs.scratch, closest,
-                                     {.tolerance = tolerance, .work = work})
+                                     {.tolerance = tolerance, .max_work = work})
                                 .cut_short;
         ASSERT_LE(closest.lower_bound, expected);
         ASSERT_GE(closest.distance, expected);

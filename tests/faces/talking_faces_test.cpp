@@ -104,7 +104,7 @@ TEST_F(TalkingFaces, AreAsFarApartAsBruteForceSays) {
     const BruteDistance expected = brute_distance(of_a, of_b);
     EXPECT_EQ(closest().distance, expected.distance) << frame;
     EXPECT_EQ(closest().a.triangle, expected.triangle_a) << frame;
-    std::vector<NearPair> within;
+    std::vector<Contact> within;
     clearance(a.pose, b.pose, expected.distance + 0.01, scratch, within);
     EXPECT_EQ(within, brute_clearance(of_a, of_b, expected.distance + 0.01)) << frame;
     EXPECT_FALSE(within.empty());

@@ -35,7 +35,7 @@ RayHit brute_force(const HeightField& field, const Ray& ray, Facing facing) {
 /// Returns whether the ray hits.
 bool expect_as_brute_force(const HeightField& field, const Ray& ray, Facing facing = Facing::both) {
   const RayHit expected = brute_force(field, ray, facing);
-  EXPECT_EQ(test::first_hit(field, ray, {facing}), expected);
+  EXPECT_EQ(test::first_hit(field, ray, facing), expected);
   return bool(expected);
 }
 

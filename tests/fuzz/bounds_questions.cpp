@@ -69,11 +69,11 @@ mpq_class dot_of(const BigVector& a, const Vec3& b) {
 void ask_bounds(Question& q) {
   require(check_bounds(q.a.pose).empty(), "bounds that do not enclose");
   const Box exact = box_of(q.a.shape.triangles, q.a.posed);
-  check_bounds_of(q.a, bounds_of(q.a.pose, {.levels = q.bytes.index(4)}), exact);
+  check_bounds_of(q.a, bounds_of(q.a.pose, q.bytes.index(4)), exact);
   const Bounds tight = exact_bounds_of(q.a.pose);
   check_bounds_of(q.a, tight, exact);
   require(same_bits(tight.box, exact), "exact_bounds");
-  require(same_bits(bounds_of(q.a.pose, {.levels = 9}).box, exact), "bounds of all levels");
+  require(same_bits(bounds_of(q.a.pose, 9).box, exact), "bounds of all levels");
   bounds_asked.reach();
   bounds_of_nodes.reach(q.a.triangle_count() > 128);
 }

@@ -65,20 +65,20 @@ double make_tolerance(Question& q) {
   }
 }
 
-std::vector<NearPair> near_pairs(const Question& q, double tolerance) {
+std::vector<Contact> near_pairs(const Question& q, double tolerance) {
   const auto a = q.a.all_corners(), b = q.b.all_corners();
-  std::vector<NearPair> pairs;
+  std::vector<Contact> pairs;
   for (std::uint32_t i = 0; i < a.size(); ++i)
     for (std::uint32_t j = 0; j < b.size(); ++j)
       if (distance_of(a[i], b[j]) <= tolerance) pairs.push_back({i, j});
   return pairs;
 }
 
-void check_limit(Question& q, double tolerance, const std::vector<NearPair>& expected) {
+void check_limit(Question& q, double tolerance, const std::vector<Contact>& expected) {
   const std::uint32_t limit = q.bytes.index(8);
-  std::vector<NearPair> some;
+  std::vector<Contact> some;
   const QueryStats work =
-      clearance(q.a.pose, q.b.pose, tolerance, q.scratch, some, {.max_pairs = limit});
+      clearance(q.a.pose, q.b.pose, tolerance, q.scratch, some, {.max_contacts = limit});
   require(some.size() == std::min<std::size_t>(limit, expected.size()), "max_pairs");
   require(std::includes(expected.begin(), expected.end(), some.begin(), some.end()),
           "a pair within max_pairs");
@@ -127,8 +127,8 @@ void ask_distance(Question& q) {
 
 void ask_clearance(Question& q) {
   const double tolerance = make_tolerance(q);
-  const std::vector<NearPair> expected = near_pairs(q, tolerance);
-  std::vector<NearPair> found;
+  const std::vector<Contact> expected = near_pairs(q, tolerance);
+  std::vector<Contact> found;
   clearance(q.a.pose, q.b.pose, tolerance, q.scratch, found);
   require(found == expected, "clearance");
   require(

@@ -98,7 +98,7 @@ void ask_field_cast(Question& q) {
   const Ray ray = make_ray(q.bytes, q.a);
   const Facing facing = static_cast<Facing>(q.bytes.index(3));
   RayHit found;
-  cast(*field, ray, found, {facing});
+  cast(*field, ray, found, facing);
   require(without_location(found) == expected_hit(Ground(*field), ray, facing),
           "cast against a height field");
   (found ? field_hit : field_ray_missed).reach();

@@ -29,19 +29,18 @@ void check_shares(const Question& q, const RayHit& hit) {
 
 void ask_ray(Question& q) {
   const Ray ray = make_ray(q.bytes, q.a);
-  const CastOptions options = {static_cast<Facing>(q.bytes.index(3))};
-  const std::vector<RayHit> expected =
-      RayOracle(q.a.shape.triangles, q.a.pose).all(ray, options.facing);
+  const auto facing = static_cast<Facing>(q.bytes.index(3));
+  const std::vector<RayHit> expected = RayOracle(q.a.shape.triangles, q.a.pose).all(ray, facing);
   std::vector<RayHit> hits;
-  cast_all(q.a.pose, ray, q.scratch, hits, options);
+  cast_all(q.a.pose, ray, q.scratch, hits, facing);
   require(hits.size() == expected.size(), "cast_all");
   for (std::size_t i = 0; i < hits.size(); ++i)
     require(without_location(hits[i]) == expected[i], "a hit of cast_all");
   RayHit first;
-  cast(q.a.pose, ray, first, options);
+  cast(q.a.pose, ray, first, facing);
   require(without_location(first) == (expected.empty() ? RayHit() : expected[0]), "cast");
   bool any = false;
-  cast_any(q.a.pose, std::span(&ray, 1), std::span(&any, 1), options);
+  cast_any(q.a.pose, std::span(&ray, 1), std::span(&any, 1), facing);
   require(any == !expected.empty(), "cast_any");
   if (first) check_shares(q, first);
   ray_hits.reach(hits.size() > 1);

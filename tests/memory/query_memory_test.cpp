@@ -264,7 +264,7 @@ TEST(Memory, EndsWhileRaysAreCast) {
 
 TEST(Memory, EndsWhileNearPairsAreFound) {
   const FreshPose a({}), b({0.1f, 0.05f, 0});
-  fail_and_append_nothing(std::tuple(std::vector<NearPair>(1)), [&](auto& lists) {
+  fail_and_append_nothing(std::tuple(std::vector<Contact>(1)), [&](auto& lists) {
     Pose pose_a = a.make(), pose_b = b.make();
     Scratch scratch;
     clearance(pose_a, pose_b, 0.01, scratch, std::get<0>(lists));

@@ -31,9 +31,9 @@ TEST(DualDistance, IsTheLeastOfAllPairs) {
     distance(a.to, b.to, scratch, found);
     ASSERT_EQ(found.distance, expected.distance);
     const double tolerance = expected.distance * 1.05 + 0.01;
-    std::vector<NearPair> pairs;
+    std::vector<Contact> pairs;
     clearance(a.to, b.to, tolerance, scratch, pairs);
-    const std::vector<NearPair> all = brute_clearance(s, t, tolerance);
+    const std::vector<Contact> all = brute_clearance(s, t, tolerance);
     ASSERT_EQ(pairs, all);
     EXPECT_TRUE(is_within(a.to, b.to, expected.distance, scratch));
     near += all.size();
@@ -188,7 +188,7 @@ TEST(DualDistance, BoundsEncloseAllVertices) {
     on_each_instruction_set([&](InstructionSet) {
       body.to.reserve();  // closes all nodes
       for (const std::uint32_t levels : {0u, 1u, 2u}) {
-        bounds(body.to, loose, {.levels = levels});
+        bounds(body.to, loose, levels);
         ASSERT_TRUE(encloses(loose.box, expected));
         ASSERT_LE(farthest_from(loose.sphere.centre, posed, body.shape.triangles),
                   double{loose.sphere.radius});

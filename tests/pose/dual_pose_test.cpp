@@ -160,7 +160,7 @@ TEST(DualPose, BoundsAndSpheresEncloseAllVertices) {
   for (int round = 0; round < 100; ++round) {
     limbs.move(random, 0.4);
     Bounds found;
-    bounds(limbs.a, found, {.levels = static_cast<std::uint32_t>(round % 3)});
+    bounds(limbs.a, found, static_cast<std::uint32_t>(round % 3));
     for (const Vec3& p : positions_of(limbs.a)) {
       ASSERT_TRUE(found.box.low.x <= p.x && p.x <= found.box.high.x);
       ASSERT_TRUE(found.box.low.y <= p.y && p.y <= found.box.high.y);

@@ -117,10 +117,10 @@ class Asker {
     found("distance", nearest.distance > 0);
     add("distance", nearest.distance);
     add("distance", nearest.a), add("distance", nearest.b);
-    std::vector<NearPair> near;
+    std::vector<Contact> near;
     clearance(a_, b_, 0.05, scratch_, near);
     found("clearance", near.size());
-    for (const NearPair& pair : near) add("clearance", pair.triangle_a, pair.triangle_b);
+    for (const Contact& pair : near) add("clearance", pair.triangle_a, pair.triangle_b);
     add("is_within", is_within(a_, b_, 0.05, scratch_).answer);
   }
 

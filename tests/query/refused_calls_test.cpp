@@ -22,7 +22,7 @@ class RefusedCalls : public testing::Test {
 TEST_F(RefusedCalls, OnePoseTwice) {
   const char* message = "are the same pose";
   std::vector<Contact> contacts;
-  std::vector<NearPair> pairs;
+  std::vector<Contact> pairs;
   Distance closest;
   Penetration deepest;
   Containment containing = Containment::none;
@@ -41,7 +41,7 @@ TEST_F(RefusedCalls, OnePoseTwice) {
 
 TEST_F(RefusedCalls, DistancesAndListsThatMakeNoSense) {
   ClosestPoint closest;
-  EXPECT_DEATH(closest_point(a, {}, scratch, closest, {-1}), "negative or NaN");
+  EXPECT_DEATH(closest_point(a, {}, scratch, closest, {.max_distance = -1}), "negative or NaN");
   EXPECT_DEATH(is_within(a, b, -1, scratch), "negative or NaN");
   RayHit hit;
   EXPECT_DEATH(cast(a, {}, {&hit, 1}), "one hit for each ray");

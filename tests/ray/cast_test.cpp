@@ -63,7 +63,7 @@ TEST(Cast, FindsWhatALimbHas) {
   cast_all(limb.pose, through, scratch, all);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0], first);
-  EXPECT_EQ(test::first_hit(limb.pose, through, {Facing::back}), all[1]);
+  EXPECT_EQ(test::first_hit(limb.pose, through, Facing::back), all[1]);
 }
 
 TEST(Cast, EqualsBruteForceOnMorphedLimbs) {

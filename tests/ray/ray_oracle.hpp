@@ -65,13 +65,13 @@ inline RayHit without_location(RayHit hit) {
 inline std::size_t expect_as_oracle(Pose& pose, const RayOracle& oracle, const Ray& ray,
                                     Scratch& scratch, Facing facing = Facing::both) {
   const std::vector<RayHit> expected = oracle.all(ray, facing);
-  const RayHit first = test::first_hit(pose, ray, {facing});
+  const RayHit first = test::first_hit(pose, ray, facing);
   EXPECT_EQ(without_location(first), expected.empty() ? RayHit() : expected[0]);
   bool any = false;
-  cast_any(pose, std::span(&ray, 1), std::span(&any, 1), {facing});
+  cast_any(pose, std::span(&ray, 1), std::span(&any, 1), facing);
   EXPECT_EQ(any, !expected.empty());
   std::vector<RayHit> all;
-  cast_all(pose, ray, scratch, all, {facing});
+  cast_all(pose, ray, scratch, all, facing);
   std::transform(all.begin(), all.end(), all.begin(), without_location);
   EXPECT_EQ(all, expected);
   return expected.size();

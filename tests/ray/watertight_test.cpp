@@ -57,8 +57,8 @@ TEST(Watertight, ARayFromOutsideEntersAsOftenAsItLeaves) {
       Ray ray = segment(far, cases.target(random));
       ray.t_max = 3;
       std::vector<RayHit> front, back;
-      cast_all(walker.pose, ray, scratch, front, {Facing::front});
-      cast_all(walker.pose, ray, scratch, back, {Facing::back});
+      cast_all(walker.pose, ray, scratch, front, Facing::front);
+      cast_all(walker.pose, ray, scratch, back, Facing::back);
       if (std::any_of(front.begin(), front.end(), is_on_edge) ||
           std::any_of(back.begin(), back.end(), is_on_edge))
         continue;

@@ -6,9 +6,9 @@
 
 namespace pelt::test {
 
-inline Bounds bounds_of(Pose& pose, const BoundsOptions& options = {}) {
+inline Bounds bounds_of(Pose& pose, std::uint32_t levels = 0) {
   Bounds found;
-  bounds(pose, found, options);
+  bounds(pose, found, levels);
   return found;
 }
 
@@ -30,15 +30,15 @@ inline Box exact_group_box(const Pose& pose, const VertexGroups& groups, std::ui
   return box;
 }
 
-inline RayHit first_hit(Pose& pose, const Ray& ray, const CastOptions& options = {}) {
+inline RayHit first_hit(Pose& pose, const Ray& ray, Facing facing = Facing::both) {
   RayHit hit;
-  cast(pose, ray, hit, options);
+  cast(pose, ray, hit, facing);
   return hit;
 }
 
-inline RayHit first_hit(const HeightField& field, const Ray& ray, const CastOptions& options = {}) {
+inline RayHit first_hit(const HeightField& field, const Ray& ray, Facing facing = Facing::both) {
   RayHit hit;
-  cast(field, ray, hit, options);
+  cast(field, ray, hit, facing);
   return hit;
 }
 

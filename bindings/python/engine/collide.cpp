@@ -42,8 +42,8 @@ PairColumns all_contacts(const ClipPoses& a, const ClipPoses& b, std::uint32_t m
 PairColumns all_near_pairs(const ClipPoses& a, const ClipPoses& b, double tolerance,
                            std::uint32_t max_pairs, const Run& run) {
   if (!(tolerance >= 0)) throw ArgumentError("tolerance: expected 0 or more");
-  return pairs_of_frames<NearPair>(
-      a, b, run, [&](Pose& pose_a, Pose& pose_b, Scratch& scratch, std::vector<NearPair>& list) {
+  return pairs_of_frames<Contact>(
+      a, b, run, [&](Pose& pose_a, Pose& pose_b, Scratch& scratch, std::vector<Contact>& list) {
         return clearance(pose_a, pose_b, tolerance, scratch, list, {max_pairs});
       });
 }

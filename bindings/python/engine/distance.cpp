@@ -57,7 +57,7 @@ ClosestColumns all_closest_points(const ClipPoses& poses, const py::array& point
     std::vector<ClosestPoint> found(count);
     while (const auto frame = queue.next()) {
       given.read(*frame, kLargestCoordinate, read);
-      closest_points(pose.at(*frame), read, scratch, found, {max_distance});
+      closest_points(pose.at(*frame), read, scratch, found, {.max_distance = max_distance});
       for (std::size_t p = 0; p < count; ++p) {
         const std::size_t place = *frame * count + p;
         out[place] = found[p].distance;

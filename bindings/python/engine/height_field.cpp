@@ -67,7 +67,7 @@ DistanceColumns all_field_distances(const ClipPoses& poses, const HeightField& f
     Scratch scratch;
     while (const auto frame = queue.next()) {
       Distance found;
-      distance(pose.at(*frame), field, scratch, found, {max_distance});
+      distance(pose.at(*frame), field, scratch, found, {.max_distance = max_distance});
       table.set(*frame, found);
     }
   });

@@ -65,7 +65,7 @@ RayColumns cast_all_frames(const ClipPoses& poses, const py::array& origins,
     std::vector<RayHit> hits(count);
     while (const auto frame = queue.next()) {
       rays.read(*frame, from, along, read);
-      cast(pose.at(*frame), read, hits, {facing});
+      cast(pose.at(*frame), read, hits, facing);
       for (std::size_t r = 0; r < count; ++r) {
         const std::size_t place = *frame * count + r;
         triangle[place] = hits[r] ? static_cast<std::int32_t>(hits[r].triangle) : -1;

@@ -103,7 +103,7 @@ SolidColumns all_solid_distances(const ClipPoses& poses, const ClipSolid& solid,
     Scratch scratch;
     while (const auto frame = queue.next()) {
       SolidDistance found;
-      distance(pose.at(*frame), solid.at(*frame), scratch, found, {max_distance});
+      distance(pose.at(*frame), solid.at(*frame), scratch, found, {.max_distance = max_distance});
       out[*frame] = found.distance;
       surface.set_nothing(*frame);
       SurfacePointColumns::set_vector(point, *frame, {NAN, NAN, NAN});

@@ -59,14 +59,9 @@ PELT_EXPORT std::uint32_t pelt_intersects(PoseHandle* a, PoseHandle* b) {
 
 PELT_EXPORT void pelt_clearance(PoseHandle* a, PoseHandle* b, double tolerance,
                                 std::uint32_t most) {
-  static std::vector<NearPair> pairs;
-  pairs.clear();
-  answer_stats(clearance(a->pose, b->pose, tolerance, scratch(), pairs, {most}));
-  for (NearPair& pair : pairs) {
-    pair.triangle_a += a->body.first_triangle;
-    pair.triangle_b += b->body.first_triangle;
-  }
-  answer_data<NearPair>(pairs);
+  found().clear();
+  answer_stats(clearance(a->pose, b->pose, tolerance, scratch(), found(), {most}));
+  answer_contacts(*a, *b);
 }
 
 PELT_EXPORT std::uint32_t pelt_is_within(PoseHandle* a, PoseHandle* b, double tolerance) {

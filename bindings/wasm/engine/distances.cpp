@@ -12,7 +12,7 @@ namespace pelt::wasm {
 PELT_EXPORT std::uint32_t pelt_closest_point(PoseHandle* handle, float x, float y, float z,
                                              double most) {
   ClosestPoint closest;
-  answer_stats(closest_point(handle->pose, {x, y, z}, scratch(), closest, {most}));
+  answer_stats(closest_point(handle->pose, {x, y, z}, scratch(), closest, {.max_distance = most}));
   answer().distance = closest.distance;
   answer_points({{closest.point, *handle}});
   return closest ? 1 : 0;

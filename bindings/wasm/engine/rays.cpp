@@ -39,21 +39,21 @@ PELT_EXPORT Ray* pelt_ray() {
 /// Answers with the first hit.
 PELT_EXPORT std::uint32_t pelt_cast(PoseHandle* handle, Facing facing) {
   RayHit hit;
-  answer_stats(cast(handle->pose, *pelt_ray(), hit, {facing}));
+  answer_stats(cast(handle->pose, *pelt_ray(), hit, facing));
   answer_hits({&hit, 1}, *handle);
   return hit ? 1 : 0;
 }
 
 PELT_EXPORT std::uint32_t pelt_cast_any(PoseHandle* handle, Facing facing) {
   bool hit = false;
-  answer_stats(cast_any(handle->pose, {pelt_ray(), 1}, {&hit, 1}, {facing}));
+  answer_stats(cast_any(handle->pose, {pelt_ray(), 1}, {&hit, 1}, facing));
   return hit ? 1 : 0;
 }
 
 PELT_EXPORT void pelt_cast_all(PoseHandle* handle, Facing facing) {
   static std::vector<RayHit> hits;
   hits.clear();
-  answer_stats(cast_all(handle->pose, *pelt_ray(), scratch(), hits, {facing}));
+  answer_stats(cast_all(handle->pose, *pelt_ray(), scratch(), hits, facing));
   answer_hits(hits, *handle);
 }
 

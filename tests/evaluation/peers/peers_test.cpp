@@ -97,7 +97,7 @@ class Peers : public testing::Test {
     return contacts;
   }
 
-  static constexpr std::uint32_t kAll = CollideOptions().max_contacts;
+  static constexpr std::uint32_t kAll = Limits().max_contacts;
   static inline std::vector<Triangle> triangles_[2];
   static inline std::vector<Frame> frames_;
 };

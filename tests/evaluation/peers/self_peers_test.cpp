@@ -15,7 +15,7 @@ namespace {
 using test::Shape;
 using Contacts = std::vector<Contact>;
 
-constexpr std::uint32_t kAllOfSelf = CollideOptions().max_contacts;
+constexpr std::uint32_t kAllOfSelf = Limits().max_contacts;
 
 struct Folded {
   std::vector<Vec3> positions;

@@ -25,9 +25,9 @@ class Forgetful final : public methods::Method {
     return method_->set_palette(body, palette);
   }
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
+                     const Limits& limits) override {
     const std::size_t before = contacts.size();
-    const QueryStats work = method_->collide(a, b, contacts, options);
+    const QueryStats work = method_->collide(a, b, contacts, limits);
     if (contacts.size() > before && ++asked_ % every_ == 0) contacts.pop_back();
     return work;
   }
@@ -128,8 +128,8 @@ class Noting final : public methods::Method {
     return method_->set_palette(body, palette);
   }
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
-    return method_->collide(a, b, contacts, options);
+                     const Limits& limits) override {
+    return method_->collide(a, b, contacts, limits);
   }
   QueryStats update_work() const override { return method_->update_work(); }
 

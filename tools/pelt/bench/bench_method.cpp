@@ -36,9 +36,9 @@ Time time_of(std::span<const BenchMethod> methods) {
 }
 
 void Runner::ask(Question question) {
-  CollideOptions options;
-  if (question == Question::first) options.max_contacts = 1;
-  query_.collide(options, found_);
+  Limits limits;
+  if (question == Question::first) limits.max_contacts = 1;
+  query_.collide(limits, found_);
 }
 
 Error in_frame(std::uint32_t frame, const Error& error) {

@@ -4,7 +4,7 @@
 
 namespace pelt::tools::check {
 
-void BudgetQuery::collide(const CollideOptions&, scene::FrameContacts& found) {
+void BudgetQuery::collide(const Limits&, scene::FrameContacts& found) {
   found.pairs.clear();
   found.contacts.clear();
   undecided_.clear();

@@ -37,7 +37,7 @@ class BudgetQuery {
   }
 
   /// Replaces `found` by the contacts that the budget suffices for.
-  void collide(const CollideOptions& options, scene::FrameContacts& found);
+  void collide(const Limits& limits, scene::FrameContacts& found);
 
   /// Pairs of the last frame whose contacts are not all in its answer, ascending.
   std::span<const Undecided> undecided() const { return undecided_; }

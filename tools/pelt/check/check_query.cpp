@@ -110,19 +110,19 @@ Result<void> CheckQuery::ask_frame(std::size_t index, FrameAnswer& answer) {
 
 /// Finds the contacts of the frame, including ignored ones.
 Result<void> CheckQuery::find_contacts(FrameAnswer& answer) {
-  CollideOptions options;
-  if (plan_.settings.max_contacts) options.max_contacts = *plan_.settings.max_contacts;
+  Limits limits;
+  if (plan_.settings.max_contacts) limits.max_contacts = *plan_.settings.max_contacts;
   const Clock::time_point begin = Clock::now();
   const auto find = [&](auto& query) -> Result<void> {
     if (const auto posed = query.set_palettes(palettes_); !posed) return posed;
-    query.collide(self_ ? self_->limit_of_pairs(options) : options, answer.found);
+    query.collide(self_ ? self_->limit_of_pairs(limits) : limits, answer.found);
     return {};
   };
   if (const auto found = std::visit(find, pairs_); !found) return found;
   if (inside_) unfiltered_ = answer.found;
   if (self_) {
     if (const auto posed = self_->set_palettes(palettes_); !posed) return posed;
-    self_->collide(options, answer.found);
+    self_->collide(limits, answer.found);
     answer.left_out = self_->left_out();
   }
   answer.seconds = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -25,7 +25,7 @@ class ClearanceQuery {
   }
 
   /// Replaces `found` by the pairs of triangles of every pair of colliders.
-  void collide(const CollideOptions& options, scene::FrameContacts& found);
+  void collide(const Limits& limits, scene::FrameContacts& found);
 
   /// The work so far.
   QueryStats work() const { return work_; }
@@ -36,7 +36,7 @@ class ClearanceQuery {
   double tolerance_;
   scene::NearPairs near_pairs_;
   Scratch scratch_;
-  std::vector<NearPair> near_;
+  std::vector<Contact> near_;
   QueryStats work_;
 };
 

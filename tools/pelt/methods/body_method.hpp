@@ -28,11 +28,11 @@ class BodyMethod final : public Method {
   bool update_counts() const override { return Traits::kUpdateCounts; }
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
+                     const Limits& limits) override {
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
     const QueryStats work =
         Traits::collide(bodies_[a], bodies_.palette(a), bodies_[b], bodies_.palette(b), scratch_,
-                        contacts, options.max_contacts);
+                        contacts, limits.max_contacts);
     std::sort(contacts.begin() + first, contacts.end());
     return work;
   }

@@ -23,8 +23,8 @@ class EagerMethod final : public Method {
   }
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
-    return detail::collide(bodies_[a]->pose, bodies_[b]->pose, scratch_, contacts, options);
+                     const Limits& limits) override {
+    return detail::collide(bodies_[a]->pose, bodies_[b]->pose, scratch_, contacts, limits);
   }
 
   QueryStats update_work() const override { return update_work_; }

@@ -37,7 +37,7 @@ class Method {
 
   /// Appends the contacts of two bodies, ascending; see pelt::collide.
   virtual QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                             const CollideOptions& options) = 0;
+                             const Limits& limits) = 0;
 
   /// The work of set_palette so far; `collide` returns the work of queries.
   virtual QueryStats update_work() const = 0;

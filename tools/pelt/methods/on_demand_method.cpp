@@ -17,8 +17,8 @@ class OnDemandMethod final : public Method {
   }
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
-                     const CollideOptions& options) override {
-    return pelt::collide(poses_[a], poses_[b], scratch_, contacts, options);
+                     const Limits& limits) override {
+    return pelt::collide(poses_[a], poses_[b], scratch_, contacts, limits);
   }
 
   QueryStats update_work() const override { return {}; }

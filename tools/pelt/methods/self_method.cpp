@@ -31,9 +31,9 @@ class SelfMethod final : public Method {
   }
 
   QueryStats collide(std::uint32_t a, [[maybe_unused]] std::uint32_t b,
-                     std::vector<Contact>& contacts, const CollideOptions& options) override {
+                     std::vector<Contact>& contacts, const Limits& limits) override {
     PELT_ASSERT(a == b);
-    return self_collide(bodies_[a].pose, bodies_[a].filter, scratch_, contacts, options);
+    return self_collide(bodies_[a].pose, bodies_[a].filter, scratch_, contacts, limits);
   }
 
   QueryStats update_work() const override { return {}; }
@@ -62,8 +62,7 @@ class BoxesMethod final : public Method {
     return eager_->set_palette(body, palette);
   }
 
-  QueryStats collide(std::uint32_t, std::uint32_t, std::vector<Contact>&,
-                     const CollideOptions&) override {
+  QueryStats collide(std::uint32_t, std::uint32_t, std::vector<Contact>&, const Limits&) override {
     return {};
   }
 

@@ -112,7 +112,7 @@ void print_ray(const HitNames& names, const RaySettings& settings, std::size_t n
 QueryStats RayQuery::ask(std::span<Pose> poses) {
   QueryStats work;
   for (std::size_t i = 0; i < poses.size(); ++i)
-    work += cast(poses[i], settings_.rays, hits_.of_instance(i), {settings_.facing});
+    work += cast(poses[i], settings_.rays, hits_.of_instance(i), settings_.facing);
   return work;
 }
 

@@ -79,23 +79,23 @@ Result<void> SceneQuery::set_pose_of(std::uint32_t collider, const PoseInputs& i
   return crowd_ ? set_pose(inputs, *crowd_, collider) : set_pose(inputs, *method_, collider);
 }
 
-void SceneQuery::collide(const CollideOptions& options, FrameContacts& found) {
+void SceneQuery::collide(const Limits& limits, FrameContacts& found) {
   found.pairs.clear();
   found.contacts.clear();
-  if (crowd_) return collide_crowd(options, found);
+  if (crowd_) return collide_crowd(limits, found);
   for (std::uint32_t a = 0; a < colliders_.size(); ++a) {
     if (of_each_) {
-      collide_pair(a, a, options, found);
+      collide_pair(a, a, limits, found);
       continue;
     }
-    for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) collide_pair(a, b, options, found);
+    for (std::uint32_t b = a + 1; b < colliders_.size(); ++b) collide_pair(a, b, limits, found);
   }
 }
 
-void SceneQuery::collide_crowd(const CollideOptions& options, FrameContacts& found) {
+void SceneQuery::collide_crowd(const Limits& limits, FrameContacts& found) {
   CrowdOptions crowd_options;
   crowd_options.threads = thread_count_;
-  crowd_options.max_contacts = options.max_contacts;
+  crowd_options.max_contacts = limits.max_contacts;
   crowd_contacts_.clear();
   query_work_ += crowd_->collide(crowd_contacts_, crowd_options);
   for (const auto& [a, b, triangle_a, triangle_b] : crowd_contacts_) {
@@ -108,10 +108,10 @@ void SceneQuery::collide_crowd(const CollideOptions& options, FrameContacts& fou
   }
 }
 
-void SceneQuery::collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
+void SceneQuery::collide_pair(std::uint32_t a, std::uint32_t b, const Limits& limits,
                               FrameContacts& found) {
   const std::size_t begin = found.contacts.size();
-  query_work_ += method_->collide(a, b, found.contacts, options);
+  query_work_ += method_->collide(a, b, found.contacts, limits);
   const std::size_t end = found.contacts.size();
   for (std::size_t i = begin; i < end; ++i)
     found.contacts[i] = numbered_in_assets(found.contacts[i], colliders_[a], colliders_[b]);

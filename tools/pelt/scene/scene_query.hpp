@@ -59,7 +59,7 @@ class SceneQuery {
   bool update_counts() const { return crowd_ || method_->update_counts(); }
 
   /// Replaces `found` by the contacts of every pair of colliders, or of each with itself.
-  void collide(const CollideOptions& options, FrameContacts& found);
+  void collide(const Limits& limits, FrameContacts& found);
 
   /// The work of posing and querying so far.
   QueryStats work() const;
@@ -71,9 +71,8 @@ class SceneQuery {
   void make_crowd(std::uint32_t threads);
   bool set_on_threads(const Palettes& palettes);
   Result<void> set_pose_of(std::uint32_t collider, const PoseInputs& inputs);
-  void collide_crowd(const CollideOptions& options, FrameContacts& found);
-  void collide_pair(std::uint32_t a, std::uint32_t b, const CollideOptions& options,
-                    FrameContacts& found);
+  void collide_crowd(const Limits& limits, FrameContacts& found);
+  void collide_pair(std::uint32_t a, std::uint32_t b, const Limits& limits, FrameContacts& found);
 
   std::span<const Collider> colliders_;
   PartedInstances parted_;

@@ -40,10 +40,10 @@ SelfQuery::SelfQuery(std::span<const Collider> colliders, SelfFilters filters,
   }
 }
 
-void SelfQuery::collide(const CollideOptions& options, FrameContacts& found) {
+void SelfQuery::collide(const Limits& limits, FrameContacts& found) {
   left_out_ = {};
-  if (!filters_.of_parts.empty()) filter_parts(options, found);
-  find(options);
+  if (!filters_.of_parts.empty()) filter_parts(limits, found);
+  find(limits);
   clear(merged_);
   auto next = found.pairs.begin();
   for (std::uint32_t c = 0; c < colliders_.size(); ++c) {
@@ -55,14 +55,14 @@ void SelfQuery::collide(const CollideOptions& options, FrameContacts& found) {
   std::swap(found, merged_);
 }
 
-void SelfQuery::filter_parts(const CollideOptions& options, FrameContacts& found) {
+void SelfQuery::filter_parts(const Limits& limits, FrameContacts& found) {
   clear(merged_);
   for (const Pair& pair : found.pairs) {
     const std::span<const Contact> contacts = found.of(pair);
     kept_.assign(contacts.begin(), contacts.end());
     const std::uint32_t instance = colliders_[pair.a].instance;
     if (colliders_[pair.b].instance == instance) filter_parts_of(instance, kept_);
-    kept_.resize(std::min<std::size_t>(kept_.size(), options.max_contacts));
+    kept_.resize(std::min<std::size_t>(kept_.size(), limits.max_contacts));
     append(kept_, pair.a, pair.b, merged_);
   }
   std::swap(found, merged_);
@@ -73,11 +73,11 @@ void SelfQuery::filter_parts_of(std::uint32_t instance, std::vector<Contact>& co
   left_out_ += leave_out(filters_.of_parts[filter_of_instance_[instance]], scratches_[0], contacts);
 }
 
-void SelfQuery::find(const CollideOptions& options) {
+void SelfQuery::find(const Limits& limits) {
   const auto count = static_cast<std::uint32_t>(scratches_.size());
   shares_.deal(static_cast<std::uint32_t>(colliders_.size()), count);
   workers_->run(count, [&](std::uint32_t worker) {
-    while (const auto c = shares_.take(worker)) find_of(*c, options, scratches_[worker]);
+    while (const auto c = shares_.take(worker)) find_of(*c, limits, scratches_[worker]);
   });
   for (const Own& own : own_) {
     work_ += own.stats;
@@ -85,11 +85,11 @@ void SelfQuery::find(const CollideOptions& options) {
   }
 }
 
-void SelfQuery::find_of(std::uint32_t c, const CollideOptions& options, Scratch& scratch) {
+void SelfQuery::find_of(std::uint32_t c, const Limits& limits, Scratch& scratch) {
   Own& own = own_[c];
   own.contacts.clear();
   own.stats =
-      self_collide(posed_.poses()[c], filters_.of_colliders[c], scratch, own.contacts, options);
+      self_collide(posed_.poses()[c], filters_.of_colliders[c], scratch, own.contacts, limits);
   for (Contact& contact : own.contacts)
     contact = numbered_in_assets(contact, colliders_[c], colliders_[c]);
 }

@@ -25,14 +25,14 @@ class SelfQuery {
 
   /// The limit of the query of pairs whose contacts `collide` filters. Filters may drop any
   /// contacts, so that all are needed.
-  CollideOptions limit_of_pairs(const CollideOptions& options) const {
-    return filters_.of_parts.empty() ? options : CollideOptions{};
+  Limits limit_of_pairs(const Limits& limits) const {
+    return filters_.of_parts.empty() ? limits : Limits{};
   }
 
   /// Removes from `found` the contacts of parts of one instance that its filter drops, and those
   /// beyond the limit of each pair. Then adds the contacts of each collider with itself, as those
   /// of the pair a, a.
-  void collide(const CollideOptions& options, FrameContacts& found);
+  void collide(const Limits& limits, FrameContacts& found);
 
   const SelfFilters& filters() const { return filters_; }
 
@@ -49,10 +49,10 @@ class SelfQuery {
     SelfStats stats;
   };
 
-  void filter_parts(const CollideOptions& options, FrameContacts& found);
+  void filter_parts(const Limits& limits, FrameContacts& found);
   void filter_parts_of(std::uint32_t instance, std::vector<Contact>& contacts);
-  void find(const CollideOptions& options);
-  void find_of(std::uint32_t collider, const CollideOptions& options, Scratch& scratch);
+  void find(const Limits& limits);
+  void find_of(std::uint32_t collider, const Limits& limits, Scratch& scratch);
 
   std::span<const Collider> colliders_;
   SelfFilters filters_;
