@@ -60,14 +60,10 @@ struct Part {
   std::uint32_t first_triangle = 0, triangle_count = 0;
 
   /// Whether the part has a skin. All vertices of an unskinned part follow a single joint, which
-  /// moves like the part's node.
-  ///
-  /// The rest positions of a skinned part are in mesh space. Those of an unskinned part are in the
-  /// frame of the scene, where the default pose places them. Exception: the rest positions of an
-  /// unskinned part stay in mesh space if the transform from the node to the scene cannot be
-  /// inverted, or if vertices of a skinned part also follow the unskinned part's joint. The latter
-  /// can happen only if a skin contains the part's node as a joint with the identity as inverse
-  /// bind matrix.
+  /// moves like the part's node. The rest positions of a skinned part are in mesh space, those of
+  /// an unskinned part in the frame of the scene, where the default pose places them. Exception:
+  /// they stay in mesh space if the node's transform has no inverse, or if a skin lists the node as
+  /// a joint with the identity as inverse bind matrix, and skinned vertices follow it.
   bool skinned = false;
 };
 

@@ -69,13 +69,11 @@ struct CrowdOptions {
   /// the filter may read any data of the caller.
   std::function<bool(std::uint32_t instance_a, std::uint32_t instance_b)> filter = nullptr;
 
-  /// Called once for each instance. Return the SelfFilter with which to test the instance against
-  /// itself, or null to skip this test. Without this function, no instance is tested against
-  /// itself. `filter` and collision masks do not apply to these tests. Runs on the caller's thread,
-  /// like `filter`.
-  ///
-  /// Preconditions: the SelfFilter is of the model of the instance; otherwise the program aborts,
-  /// in every build. The SelfFilter lives until the query returns.
+  /// Called once for each instance, on the caller's thread. Return the SelfFilter with which to
+  /// test the instance against itself, or null to skip this test; without this function, all are
+  /// skipped. `filter` and collision masks do not apply to these tests. Precondition: the
+  /// SelfFilter is of the model of the instance (otherwise the program aborts) and lives until the
+  /// query returns.
   std::function<const SelfFilter*(std::uint32_t instance)> self_filter = nullptr;
 };
 

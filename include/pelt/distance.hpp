@@ -6,17 +6,15 @@
 /// touching it, their distance is positive. For a rigid or static mesh, build a model with one
 /// joint.
 ///
-/// Exactness: answers depend only on the float32 posed vertices (see `posed_vertices`), and not on
-/// earlier queries or on the machine. For an exception, see `DistanceOptions::tolerance`. The
-/// distance of two triangles is 0 if and only if they intersect as in `collide`, which is decided
-/// exactly. Otherwise the distance is computed in double and is positive. Of triangles whose
-/// computed distances are equal, those with the lowest indices are reported.
+/// Exactness: without a tolerance, answers depend only on the float32 posed vertices (see
+/// `posed_vertices`), and not on earlier queries or on the machine. The distance of two triangles
+/// is 0 if and only if they intersect as in `collide`, which is decided exactly. Otherwise the
+/// distance is computed in double and is positive. Of triangles whose computed distances are equal,
+/// those with the lowest indices are reported.
 ///
-/// Error: let s be the longest side of the axis-aligned box around two triangles. The error of
-/// their distance is less than 2^-46 s. In addition, triangles are never computed to be much closer
-/// than their boxes. Let g be the distance between the axis-aligned box of one triangle and that of
-/// the other. If g is at least 2^-48 model units, the computed distance of the triangles is at
-/// least (1 - 2^-20) g.
+/// Error: less than 2^-46 s, where s is the longest side of the axis-aligned box around the two
+/// triangles. docs/queries.md ("Errors of distances") has a second bound, for triangles whose
+/// boxes are apart.
 ///
 /// Cost: queries visit the boxes of a tree in ascending order of distance. A node is opened only if
 /// its box is closer than the closest triangles found so far.
@@ -114,12 +112,9 @@ struct DistanceOptions {
   const Distance* hint = nullptr;
 
   /// Stop after about this many units of work (`work_of`). `QueryStats::cut_short` then says that
-  /// the result is an interval: see `Distance::lower_bound`. Half of the work at most is spent on
-  /// looking for contacts. If it does not suffice to exclude contacts, the lower bound is 0. If the
-  /// bodies touch and the query is cut short, the distance is 0, but the pair may not be the
-  /// lowest. Opening nodes that earlier queries have opened is not counted, so results that were
-  /// cut short depend on earlier queries, but not on the machine. The step that reaches the limit
-  /// is finished. The distance from a height field ignores this limit.
+  /// the result is an interval: see `Distance::lower_bound`. The distance from a height field
+  /// ignores this limit. docs/queries.md ("A distance with a limit of the work") says what it
+  /// depends on.
   std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();
 };
 

@@ -134,15 +134,9 @@ PELT_API QueryStats volume(Pose& pose, Volume& result);
 /// counts three times. A region that is inside out, with w = -1, counts once, too. The result is 0
 /// if the surface does not intersect itself, apart from the stated error.
 ///
-/// The polynomial, unlike max(w - 1, 0), is a sum over pairs of layers. It needs no arrangement of
-/// the surface, and adds up: for two bodies in one mesh, the result is the sum for both bodies plus
-/// their `intersection_volume`.
-///
-/// All decisions are exact: which edge pierces which triangle, and the winding number in front of
-/// each triangle. Where parts of the surface touch without crossing, or coincide, the query decides
-/// as if each vertex had been moved by an infinitesimal vector of its own. The volume depends
-/// continuously on these vectors, so the result is exact also for such surfaces, apart from
-/// rounding.
+/// For two bodies in one mesh, the result is the sum for both bodies plus their
+/// `intersection_volume`. Exact apart from rounding, also where parts of the surface touch without
+/// crossing, or coincide; docs/queries.md ("Why volumes are exact") gives the reasons.
 ///
 /// Error: stated in the result. About 2^-53 n times the volume of a box around all triangles that
 /// contribute, where n is their number: those that cross others, and those with w != 0 in front.
@@ -154,15 +148,13 @@ PELT_API QueryStats volume(Pose& pose, Volume& result);
 /// triangles, and one ray for each connected part of the surface. Opens all nodes. Pairs that only
 /// touch cost several times as much as others.
 ///
-/// The first query with a model also takes 1.5 times as long as `build_self_filter`, and
-/// allocates 44 to 57 bytes per triangle of a character, which copies of the model share. For
-/// `Scratch::reserve`, contacts are those of `self_collide`. Pairs of triangles also count as
-/// contacts if they have corners in one position that are one surface vertex, but have different
-/// influences.
+/// The first query with a model also takes 1.5 times as long as `build_self_filter`, and allocates
+/// 44 to 57 bytes per triangle of a character, which copies of the model share. For
+/// `Scratch::reserve`, contacts are those of `self_collide`, and pairs of triangles at a seam
+/// between vertices with different influences count, too.
 ///
 /// Source: winding numbers spread over the surface from one triangle of each connected part, as in
-/// Zhou et al., "Mesh arrangements for solid geometry" (2016), but the surface is never cut. The
-/// perturbation is that of Edelsbrunner & Muecke, "Simulation of simplicity" (1990).
+/// Zhou et al., "Mesh arrangements for solid geometry" (2016), but the surface is never cut.
 PELT_API QueryStats self_intersection_volume(Pose& pose, Scratch& scratch, Volume& result);
 
 /// Writes the volume of the intersection of two bodies: the integral of w_a w_b over space, where
@@ -171,10 +163,8 @@ PELT_API QueryStats self_intersection_volume(Pose& pose, Scratch& scratch, Volum
 /// overlaps itself, its winding number counts how often; with a product of winding numbers, the
 /// volume is the sum of the volumes for the connected parts of `a` and `b`.
 ///
-/// All decisions are exact: which edge pierces which triangle, and the winding number at each
-/// vertex. Where features of `a` and `b` touch without crossing, such as two faces in one plane,
-/// the query decides as if `a` had been moved by an infinitesimal vector. The volume depends
-/// continuously on that vector, so the result is exact also for such bodies, apart from rounding.
+/// Exact apart from rounding, also where features of `a` and `b` touch without crossing, such as
+/// two faces in one plane; docs/queries.md ("Why volumes are exact") gives the reasons.
 ///
 /// Error: stated in the result. About 2^-53 n times the volume of a box around all triangles that
 /// contribute, where n is their number. Exchanging `a` and `b` may change the result within the
@@ -188,11 +178,8 @@ PELT_API QueryStats self_intersection_volume(Pose& pose, Scratch& scratch, Volum
 /// box that does not touch the surface. Boxes outside are skipped with everything inside them.
 /// Everything else is posed, because each of its triangles contributes.
 ///
-/// Source: the divergence theorem turns the volume into integrals over the parts of either surface
-/// inside the other body; these into integrals along edges and segments of intersection, as in
-/// W. R. Franklin, "Polygon properties calculated from the vertex neighborhoods" (1987). The parts
-/// are never constructed. The perturbation is that of Edelsbrunner & Muecke, "Simulation of
-/// simplicity" (1990).
+/// Source: integrals along edges and segments of intersection, as in W. R. Franklin, "Polygon
+/// properties calculated from the vertex neighborhoods" (1987). No polyhedron is constructed.
 PELT_API QueryStats intersection_volume(Pose& a, Pose& b, Scratch& scratch, Volume& result);
 
 }  // namespace pelt

@@ -51,9 +51,9 @@ struct ModelOptions {
   /// `kMaxDualInfluences` joints.
   Skinning skinning = Skinning::linear;
 
-  /// [S][J] joint palettes of S typical poses, for example from the character's clips. The tree is
-  /// optimised for these poses. With six poses, queries are up to 20 % faster, and the build takes
-  /// three times as long. Answers do not depend on the sample palettes. May be empty.
+  /// [S][J] joint palettes of S typical poses, for example from the character's clips; may be
+  /// empty. The tree is optimised for these poses, but answers do not depend on them. With six
+  /// poses, queries are up to 20 % faster, and the build takes three times as long.
   std::span<const Matrix4> sample_palettes = {};
 
   /// Whether to merge vertices that are equal in every bit of rest position, influences and

@@ -47,14 +47,12 @@ class PELT_API Pose {
   /// - an element of a matrix is not finite,
   /// - the last row of a matrix is not 0 0 0 1 (the matrix is probably row-major),
   /// - a matrix could move a vertex more than 2^60 units away from the origin, or
-  /// - the model has dual quaternion skinning and a matrix A is not rigid: it mirrors, or an
-  /// element
-  ///   of A^T A - I is more than 2^-10.
+  /// - the model has dual quaternion skinning, and a matrix A is not rigid: it mirrors, or an
+  ///   element of A^T A - I is more than 2^-10.
   /// If a matrix is invalid, the error names its joint.
   ///
-  /// For the check of 2^60 units, a mesh smaller than 2^-60 units counts as a mesh of this size. A
-  /// matrix with an element beyond 2^120 in its linear part is therefore an error for every mesh,
-  /// and so is a double beyond the range of float.
+  /// An element beyond 2^120 in the linear part of a matrix is an error for every mesh, however
+  /// small, and so is a double beyond the range of float.
   Result<void> set_palette(const JointMatrices& palette);
 
   /// Copies a joint palette of dual quaternions, 8 floats per joint: the rotation as a quaternion
@@ -99,8 +97,7 @@ class PELT_API Pose {
   /// `vertices`: [V] in the order of `SkinnedMeshView::rest_positions`.
   ///
   /// Cost: O(V). Queries then cost less than after `set_palette`, because boxes are tighter and
-  /// nothing is skinned. Allocates if the pose has
-  /// less memory than `reserve` would allocate.
+  /// nothing is skinned. Allocates if the pose has less memory than `reserve` would allocate.
   ///
   /// Returns an error and leaves the pose unchanged if
   /// - the number of vertices is not `model().vertex_count()`,

@@ -120,11 +120,9 @@ class PELT_API Scratch {
   /// is not reserved here, so it allocates in its first call and whenever there are more contacts
   /// than in any earlier call.
   ///
-  /// `contacts`: largest number of contacts that a query finds. A limit such as `max_contacts` also
-  ///   limits this number. 1 suffices for `intersects`. Each triangle
-  ///   found in a region counts as a contact, too. `distance` of two poses reports one pair of
-  ///   triangles, but every touching pair counts. `distance` from a solid reports one triangle, but
-  ///   every triangle that touches the solid counts.
+  /// `contacts`: largest number of contacts that a query finds or that its limit allows; 1 for
+  ///   `intersects`. Triangles found in a region count as contacts. For `distance`, all pairs or
+  ///   triangles that touch count, although the query reports only one.
   /// `ray_hits`: largest number of hits of `cast_all`.
   /// `self`: `SelfFilter::scratch_size` of the filter of `self_collide`. For several filters, call
   ///   `reserve` once for each. `self_intersection_volume` needs the size of any filter of the

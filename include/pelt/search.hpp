@@ -28,10 +28,9 @@ struct SearchOfPoses;
 inline constexpr std::uint64_t kNodePairWork = 8, kRefitWork = 5, kPosedVertexWork = 2,
                                kTrianglePairWork = 1, kDisplacementWork = 2, kClusterPairWork = 8;
 
-/// Units of work of a `FirstContactSearch`: per pair of nodes and per pair of clusters that move,
-/// and per pair of triangles tested in float, in double and in exact arithmetic. A pair that is
-/// tested in several ways counts in each. To order two pairs whose times may be equal takes two
-/// exact tests. These numbers never change, either.
+/// Units of work of a `FirstContactSearch`: per pair of nodes and of clusters that move, and per
+/// test of a pair of triangles in float, in double and in exact arithmetic. A pair that is tested
+/// in several ways counts in each. These numbers never change, either.
 inline constexpr std::uint64_t kMovingNodePairWork = 24, kMovingClusterPairWork = 24,
                                kMovingTrianglePairWork = 28, kDoublePairWork = 500,
                                kExactPairWork = 24'000;
@@ -64,25 +63,18 @@ struct OpenRegion {
 ///     for (const Contact& contact : search.contacts()) ...
 ///
 /// After any amount of work:
-/// - `contacts` are contacts of `collide`. More work adds contacts and removes none.
-/// - Each missing contact is a pair of triangles of an open region. `undecided_pairs` counts the
-///   pairs of triangles of all open regions and never rises.
-/// - The triangles of each missing contact have a common point in the box of its open region. More
-/// work replaces a region by
-///   regions inside of it, so the union of all regions shrinks.
-/// - The distance of the poses is at most `distance_bound`, which never rises.
+/// - `contacts` are contacts of `collide`. More work only adds contacts.
+/// - Each missing contact is a pair of triangles of an open region. The triangles have a common
+///   point in the box of this region.
+/// - The union of all open regions, `undecided_pairs` and `distance_bound` never grow.
 /// - When nothing is open, `contacts` is the answer of `collide`, bit for bit.
 ///
-/// The state of a search depends only on the poses, the order, `max_open` and `work_done`. It does
-/// not depend on the instruction set, the compiler, the size of the slices, or on which nodes other
-/// queries have opened. Exception: after a query that opens all nodes at once, such as
-/// `self_collide` or a cast of many rays, boxes are smaller, so a later search of the same pose
-/// needs less work.
+/// The state of a search depends only on the poses, the order, `max_open` and `work_done`, but not
+/// on the machine, on the size of the slices or, with one exception, on earlier queries.
+/// docs/queries.md ("Why a search is certain") gives the reasons and the exception.
 ///
-/// Work is counted in the units of `work_of`, with `kClusterPairWork` for each pair of clusters.
-/// Opening a node counts when the search first needs the node, even if it is open already. A unit
-/// takes 4 to 6 ns on a shared AMD EPYC core. `advance` reads no clock. To spend a certain time,
-/// call `advance` with small slices.
+/// `advance` counts work and reads no clock. To spend a certain time, call it with small slices; a
+/// unit of work takes 4 to 6 ns on an AMD EPYC core.
 ///
 /// Only one thread at a time may use a search or its poses. The poses must outlive the search.
 /// Movable, not copyable. A moved-from search may only be assigned to or destroyed.
@@ -117,13 +109,11 @@ class PELT_API CollisionSearch {
   void restart();
 
   /// Searches until `work` units are done, or nothing is open. In the order `first_contact`, also
-  /// stops when the first contact is found. Returns the work of this call; `cut_short` says whether
-  /// regions are left open.
+  /// stops at the first contact, and drops the rest of `work`. Returns the work of this call;
+  /// `cut_short` says whether regions are left open.
   ///
-  /// A search consists of steps. A step begins only while granted work is left, and is then
-  /// finished. Work beyond `work` is subtracted from the next call, so several calls are equivalent
-  /// to one call with the sum of their work. In the order `first_contact`, work that is left when
-  /// the first contact is found is not added to the next call.
+  /// A step of the search that has begun is finished, and work beyond `work` is subtracted from the
+  /// next call. Several calls are therefore equivalent to one call with the sum of their work.
   ///
   /// Precondition: the poses have not changed since the search was started (`is_stale`). Otherwise
   /// the program aborts in builds without NDEBUG, and in other builds nothing happens.
@@ -178,29 +168,20 @@ class PELT_API CollisionSearch {
 ///
 /// After any amount of work:
 /// - `a` and `b` are apart at all times before `apart_until`, which never falls.
-/// - `earliest` is a contact of `collide` of two motions, with the same time and features. More
-/// work
-///   replaces it only by a contact that is earlier, or that has exactly the same time and a lower
-///   pair of triangles.
-/// - The first time lies between `apart_until()` and `earliest()->time`. If they are equal, this
-///   float is the final time; further work can only replace the pair and its features.
+/// - `earliest` is a contact of `collide` of two motions, with the same time and features. Only an
+///   earlier contact, or one of the same time with a lower pair, can replace it.
+/// - The first time lies between `apart_until()` and `earliest()->time`. Once they are equal, only
+///   the pair and its features can still change.
 /// - When nothing is open, `earliest` is the answer of `first_contact`, bit for bit.
 ///
 /// With `leave_out_start`, pairs of triangles that intersect at time 0 do not count as touching.
 ///
-/// The search visits pairs of nodes in the order of the earliest times at which their boxes
-/// overlap, so `apart_until` rises soon. `earliest` is empty until the first contact is found.
+/// The search visits pairs of nodes in the order of the times at which their boxes first overlap,
+/// so `apart_until` rises soon. `earliest` is empty until a contact is found. The state depends on
+/// the same things as that of a `CollisionSearch`.
 ///
-/// The state of a search depends only on the poses, the options, `max_open` and `work_done`, with
-/// the exception that `CollisionSearch` describes. It does not depend on the instruction set, the
-/// compiler, the size of the slices, or on which nodes other queries have opened.
-///
-/// Work is counted in the units of `CollisionSearch`, with the constants for motions in
-/// `query.hpp`. One pair of triangles that needs exact arithmetic takes 24,000 units, so `advance`
-/// may exceed small slices by far (`longest_step`). Slices of 20,000 units or more are adequate. A
-/// node is opened in both poses of a motion. Opening it in a pose counts when the search first
-/// needs it there, even if it is open already. `advance` reads no clock. To spend a certain time,
-/// call `advance` with small slices.
+/// One pair of triangles that needs exact arithmetic takes 24,000 units of work, so `advance` may
+/// exceed small slices by far (`longest_step`). Slices of 20,000 units or more are adequate.
 ///
 /// Only one thread at a time may use a search or its poses. The poses must outlive the search.
 /// Movable, not copyable. A moved-from search may only be assigned to or destroyed.
@@ -236,18 +217,15 @@ class PELT_API FirstContactSearch {
   void restart();
 
   /// Searches until `work` units are done, or nothing is open. Returns the work of this call;
-  /// `cut_short` says whether anything is left open.
-  ///
-  /// A search consists of steps. A step begins only while granted work is left, and is then
-  /// finished. Work beyond `work` is subtracted from the next call, so several calls are equivalent
-  /// to one call with the sum of their work.
+  /// `cut_short` says whether anything is left open. Steps are finished as by
+  /// `CollisionSearch::advance`.
   ///
   /// Precondition: the poses have not changed since the search was started (`is_stale`). Otherwise
   /// the program aborts in builds without NDEBUG, and in other builds nothing happens.
   ///
-  /// Cost: searching to the end costs about as much as `first_contact`, and several times as
-  /// much if triangles intersect at time 0. Allocates only if it needs more memory in the poses or
-  /// in the search than any earlier search.
+  /// Cost: searching to the end costs about as much as `first_contact`, and several times as much
+  /// if triangles intersect at time 0. Allocates only if it needs more memory in the poses or in
+  /// the search than any earlier search.
   MovingStats advance(std::uint64_t work);
 
   /// Whether nothing is open.

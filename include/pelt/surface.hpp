@@ -1,10 +1,12 @@
 #pragma once
 
-/// Geometry of contacts, for solvers, reports and pictures. Call `describe_contacts` after
-/// `collide` or `self_collide`. For each contact, `describe_contacts` computes a trace: positions,
-/// a normal, a depth and joints. Most triangles that are in contact intersect in a segment.
-/// `describe_contacts` chains these segments into curves. It also joins connected contacts into
-/// patches.
+/// The surface of a model, which says how its triangles are connected; and the geometry of
+/// contacts, for solvers, reports and pictures.
+///
+/// Call `describe_contacts` after `collide` or `self_collide`. For each contact, it computes a
+/// trace: positions, a normal, a depth and joints. Most triangles that are in contact intersect in
+/// a segment. `describe_contacts` chains these segments into curves, and joins connected contacts
+/// into patches.
 
 #include <pelt/config.hpp>
 
@@ -29,10 +31,8 @@ class PELT_API Surface {
  public:
   /// Whether the surface is closed: each edge belongs to exactly two triangles, which traverse the
   /// edge in opposite directions. A closed surface separates inside from outside in every pose.
-  ///
-  /// Vertices that the model has merged (see `ModelOptions::weld`) count as one vertex. Triangles
-  /// with a repeated vertex are ignored. If all triangles have a repeated vertex, the surface is
-  /// not closed.
+  /// Vertices that the model has merged (see `ModelOptions::weld`) count as one vertex, and
+  /// triangles with a repeated vertex are ignored; a surface without others is not closed.
   bool is_closed() const;
 
   /// For internal use.
@@ -56,30 +56,22 @@ struct ContactTrace {
   Contact contact;
   ContactKind kind = ContactKind::segment;
 
-  /// Ends of the segment, in the frame of the joint palette. The direction from `from` to `to` is
-  /// n_a x n_b, where n_a and n_b are the normals of the triangles. For kind `point`, both ends are
-  /// that point. For kinds `coplanar` and `collapsed`, both ends are the midpoint between the
-  /// centres of the triangles.
-  ///
-  /// Error of segments and points: each coordinate is off by less than 2^-23 times the largest
-  /// absolute coordinate of the two triangles.
+  /// Ends of the segment, in the frame of the joint palette, in the direction n_a x n_b of the
+  /// normals of the triangles. For kind `point`, both ends are that point, and for kinds `coplanar`
+  /// and `collapsed` the midpoint between the centres of the triangles. Error: less than 2^-23
+  /// times the largest absolute coordinate of the two triangles.
   Vec3 from, to;
 
-  /// Direction in which `a` should move to leave `b`: the unit vector along n_b - n_a, where n_a
-  /// and n_b are the unit normals of the triangles. If both normals are equal, `normal` is n_b. The
-  /// normal of a collapsed triangle counts as zero. If both triangles have collapsed, `normal` is
-  /// zero.
-  ///
-  /// Error: n_a and n_b each differ from the exact unit normal by less than 2^-24. For triangles
-  /// that are nearly in one plane, n_b - n_a is small, and the direction of `normal` may be wrong.
-  /// In one plane, it is right.
+  /// Direction in which `a` should move to leave `b`: the unit vector along n_b - n_a, for the unit
+  /// normals n_a and n_b of the triangles, or n_b if both are equal. The normal of a collapsed
+  /// triangle counts as zero; if both have collapsed, `normal` is zero. docs/queries.md ("Errors of
+  /// contact geometry") bounds the error.
   Vec3 normal;
 
-  /// Overlap of the two triangles along `normal`, 0 or more. After the triangle of `a` has moved by
-  /// `depth` along `normal`, the triangles at most touch, up to the error. A finer mesh gives a
-  /// smaller depth. For the depth of one body inside another, see `deepest_vertex`.
-  ///
-  /// Error: less than 2^-23 times the longest distance between two corners of the triangles.
+  /// Overlap of the two triangles along `normal`, 0 or more: moved by `depth` along `normal`, the
+  /// triangle of `a` at most touches that of `b`. A finer mesh gives a smaller depth; for the depth
+  /// of one body inside another, see `deepest_vertex`. Error: less than 2^-23 times the longest
+  /// distance between two corners of the triangles.
   float depth = 0;
 
   std::uint16_t joint_a = 0, joint_b = 0;  ///< main joints of the triangles (see `Surface`)
@@ -96,19 +88,13 @@ struct ContactCurve {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::steps
   bool is_closed = false;              ///< the last segment ends where the first one starts
 
-  /// Sum of the lengths of the segments.
-  ///
-  /// Error: less than 2^-21 n m, where n is `count`, and m the largest absolute coordinate of the
-  /// triangles; see `ContactTrace::from`. `length` and `area` are then rounded to floats.
+  /// Sum of the lengths of the segments. docs/queries.md ("Errors of contact geometry") bounds the
+  /// errors of `length` and `area`.
   float length = 0;
 
-  /// The area that a closed curve encloses: the magnitude of its vector area, half of the sum of p
-  /// x q over all segments from p to q. It is the area of the curve's projection along the
-  /// direction in which that area is largest. For a curve in a plane, it is the area in the curve.
-  /// Parts around which a curve runs in opposite directions, such as both halves of an 8, cancel
-  /// each other. 0 if the curve is not closed.
-  ///
-  /// Error: less than 2^-22 m (l + 2^-21 n m), where l is `length`.
+  /// The area that a closed curve encloses: that of its projection along the direction in which
+  /// this area is largest. Parts around which the curve runs in opposite directions, such as both
+  /// halves of an 8, cancel each other. 0 if the curve is not closed.
   float area = 0;
 };
 
@@ -118,13 +104,10 @@ struct ContactCurve {
 /// `point` and `normal` are means over the traces of the patch. Each trace has the length of its
 /// segment as weight. If all lengths are zero, all traces have equal weights.
 ///
-/// Contacts of a pose with itself: in each contact of a patch, one triangle is on side a and the
-/// other triangle is on side b. A triangle that two neighbouring contacts share is on the same side
-/// in both. In the first trace of the patch, triangle_a is on side a. In the other traces,
-/// triangle_a may be on either side, because triangle_a is always the triangle with the lower
-/// number. A trace with triangle_a on side b contributes to `normal`, `joint_a` and `joint_b` with
-/// its normal negated and its joints exchanged. If these rules would put both triangles of a
-/// contact on both sides, the patch has no sides, and all traces contribute unchanged.
+/// In a patch of a pose with itself, each contact has one triangle on side a and the other on side
+/// b. A triangle that two neighbouring contacts share is on the same side in both. The first trace
+/// has triangle_a on side a. A trace with triangle_a on side b contributes its normal negated and
+/// its joints exchanged. If a triangle would be on both sides, all traces contribute unchanged.
 struct ContactPatch {
   std::uint32_t first = 0, count = 0;  ///< range in ContactGeometry::members
 
@@ -186,8 +169,8 @@ PELT_API QueryStats describe_contacts(Pose& a, Pose& b, std::span<const Contact>
 ///   intersect in a segment with one end at that corner.
 /// - In all other cases, the kind is `coplanar` or `collapsed`, and there is no segment.
 ///
-/// Along a curve, triangle_a may change sides, because triangle_a is always the triangle with the
-/// lower number. Where triangle_a changes sides, `CurveStep::is_reversed` changes, too.
+/// triangle_a is always the triangle with the lower number, so it may be on either side of a curve.
+/// Where it changes sides along the curve, `CurveStep::is_reversed` changes, too.
 ///
 /// Curves do not continue through a corner that the two triangles of a segment share. In general
 /// position, each curve of a closed surface is closed, or starts and ends at such corners, for

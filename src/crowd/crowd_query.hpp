@@ -1,9 +1,8 @@
 #pragma once
 
 /// Queries of a crowd. A query runs in passes over all instances or pairs: overlapping boxes
-/// (sweep.hpp), filters, islands (islands.hpp), and finally the
-/// descents. A worker processes a whole island alone. If an island is so large that others would
-/// wait for it, the workers share its pairs.
+/// (sweep.hpp), filters, islands (islands.hpp), and finally the descents. A worker processes a
+/// whole island alone, unless others would wait for it: they then share the pairs of the island.
 ///
 /// Answers and stats do not depend on the number of threads. A descent depends only on the two
 /// palettes: every thread opens a node to the same bits, and the thread that publishes the node

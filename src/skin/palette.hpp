@@ -62,8 +62,8 @@ inline std::span<const float> floats_of(std::span<const Matrix4> matrices) {
 }
 
 /// A validated joint palette with its morph weights, and offsets that are valid whatever they are
-/// (see skin.hpp). Matrices are finite and affine, and move no
-/// displaced rest position beyond kMaxCoordinate, so queries never see NaN or infinity.
+/// (see skin.hpp). Matrices are finite and affine, and move no displaced rest position beyond
+/// kMaxCoordinate, so queries never see NaN or infinity.
 class Palette {
  public:
   /// Identity matrices and zero weights, for a mesh with this `rest_extent` and with morph targets
