@@ -3,7 +3,7 @@
 import * as changes from './state/changes';
 import * as edits from './state/edits';
 import { redo, undo } from './state/history';
-import type { State, Update } from './state/state';
+import type { Change, State, Update } from './state/state';
 
 export interface Key {
   /** Values of `KeyboardEvent.key`, in lower case, after "ctrl+" or "ctrl+shift+". */
@@ -24,7 +24,7 @@ const TURNS: Record<string, { right: number; up: number }> = {
 
 const ZOOM = 1.15;
 
-function ofSelected(change: (instance: number) => changes.Change): changes.Change {
+function ofSelected(change: (instance: number) => Change): Change {
   return (state) => (state.selected === null ? {} : change(state.selected)(state));
 }
 

@@ -477,7 +477,7 @@ describe('costs', () => {
 });
 
 describe('the folders of the sources', () => {
-  /** Each runs without those after it; types may be known from anywhere. */
+  /** Each runs without those after it. Types may come from anywhere, but in no circle. */
   const ORDER = [
     'theme',
     'words',
@@ -494,24 +494,52 @@ describe('the folders of the sources', () => {
   const sources = path.join(root, 'src');
   const floorOf = (file) => ORDER.indexOf(path.relative(sources, file).split(/[/.]/)[0]);
 
-  function* importsOf(file) {
-    const statement = /^import (?!type )([^;]*?from )?'(\.[^']*)';/gm;
-    for (const [, names = '', target] of readFileSync(file, 'utf8').matchAll(statement)) {
-      const isTypesOnly = /^{[^}]*} from $/.test(names) && !/[{,]\s*(?!type )\w/.test(names);
-      if (!isTypesOnly && !target.endsWith('.css')) yield path.resolve(path.dirname(file), target);
+  const files = readdirSync(sources, { recursive: true })
+    .filter((name) => /\.tsx?$/.test(name))
+    .map((name) => path.join(sources, name));
+
+  /** The files, without extensions, that a file imports: all of them, or only those it runs with. */
+  function importsOf(file, { withTypes }) {
+    const statement = /^(?:import|export) (type )?([^;']*?from )?'(\.[^'?]*)[^']*';/gm;
+    const found = [];
+    for (const [, type, names = '', target] of readFileSync(file, 'utf8').matchAll(statement)) {
+      const isOfTypes =
+        type || (/^{[^}]*} from $/.test(names) && !/[{,]\s*(?!type )\w/.test(names));
+      if (target.endsWith('.css') || (isOfTypes && !withTypes)) continue;
+      found.push(path.resolve(path.dirname(file), target));
     }
+    return found;
   }
 
   test('need none that stands after them', () => {
-    const files = readdirSync(sources, { recursive: true }).filter((name) => /\.tsx?$/.test(name));
     let crossings = 0;
-    for (const file of files.map((name) => path.join(sources, name))) {
+    for (const file of files) {
       assert.ok(floorOf(file) >= 0, `${file} has no place in the order`);
-      for (const needed of importsOf(file)) {
+      for (const needed of importsOf(file, { withTypes: false })) {
         assert.ok(floorOf(needed) <= floorOf(file), `${file} needs ${needed}`);
         crossings += floorOf(needed) < floorOf(file);
       }
     }
     assert.ok(crossings > 40, `${crossings} imports from other folders`);
+  });
+
+  test('import each other in no circle, not even types', () => {
+    const imports = new Map(
+      files.map((file) => [file.replace(/\.tsx?$/, ''), importsOf(file, { withTypes: true })]),
+    );
+    const done = new Set();
+    const walk = (file, way) => {
+      if (way.includes(file)) {
+        const circle = [...way.slice(way.indexOf(file)), file];
+        assert.fail(circle.map((one) => path.relative(sources, one)).join(' -> '));
+      }
+      if (done.has(file)) return;
+      assert.ok(imports.has(file), `${way.at(-1)} imports ${file}, which is not there`);
+      for (const needed of imports.get(file)) walk(needed, [...way, file]);
+      done.add(file);
+    };
+    for (const file of imports.keys()) walk(file, []);
+    const count = [...imports.values()].flat().length;
+    assert.ok(count > 400, `${count} imports`);
   });
 });

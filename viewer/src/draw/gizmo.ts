@@ -3,7 +3,7 @@
 import { Object3D, type Camera } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
-import type { Quaternion, Vector3 } from '../scene/scene';
+import type { Quaternion, Vector3 } from '../scene/types';
 import { ACCENT, AXES } from './colours';
 
 const MODES = { move: 'translate', turn: 'rotate' } as const;

@@ -1,7 +1,8 @@
 /** Box of all characters over all frames. */
 
 import { Box3, Matrix4, Quaternion, Vector3 } from 'three';
-import { frameTime, placeAt, type Instance, type Scene } from '../scene/scene';
+import { frameTime, placeAt } from '../scene/scene';
+import type { Instance, Scene } from '../scene/types';
 import type { CharacterFacts } from '../worker/protocol';
 
 export function sceneBox(scene: Scene, characters: readonly CharacterFacts[]): Box3 {

@@ -11,14 +11,14 @@ import {
   Scene,
   Sphere,
   Spherical,
-  type Texture,
   Vector3,
   WebGLRenderer,
+  type Texture,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { SIDES } from '../scene/sides';
-import type { Vector3 as Side } from '../scene/scene';
+import type { Vector3 as Side } from '../scene/types';
 import { CameraFlight } from './camera_flight';
 import type { Ambience } from './colours';
 import { Ground } from './ground';

@@ -1,9 +1,9 @@
 /** Draws the state. Redraws only when something visible has changed. */
 
 import { Box3 } from 'three';
+import { frameTime, placeAt, translationFor } from '../scene/scene';
 import { betterSide } from '../scene/sides';
-import { frameTime, placeAt, translationFor, type Instance } from '../scene/scene';
-import type { Quaternion, Vector3 } from '../scene/scene';
+import type { Instance, Quaternion, Vector3 } from '../scene/types';
 import type { AnsweredShot, CameraMove, State } from '../state/state';
 import type { Glow as Contacts, Shot, Surface } from '../worker/protocol';
 import { ClosestLines } from './closest_lines';

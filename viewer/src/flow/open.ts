@@ -5,7 +5,7 @@ import { budgetOf, clearanceOf, limitOf, originalPath, type Report } from '../re
 import { fileOf, withFile } from '../scene/scene';
 import * as changes from '../state/changes';
 import * as edits from '../state/edits';
-import type { Problem, State } from '../state/state';
+import type { Change, Problem, State } from '../state/state';
 import type { Store } from '../state/store';
 import {
   isCharacter,
@@ -118,7 +118,7 @@ export class Opener {
   /** Reads one selection after the other. The scene is unchanged until everything is read. */
   private read(
     what: string,
-    ask: () => Promise<changes.Change>,
+    ask: () => Promise<Change>,
     remedyFor: (message: string) => Problem['remedy'] = () => undefined,
   ): void {
     this.opening = this.opening.then(async () => {

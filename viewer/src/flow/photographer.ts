@@ -4,9 +4,9 @@
  */
 
 import { betterSide } from '../scene/sides';
-import type { Vector3 } from '../scene/scene';
-import type { AnsweredShot, State, Still } from '../state/state';
+import type { Vector3 } from '../scene/types';
 import { shotOf } from '../state/shots';
+import type { AnsweredShot, State, Still } from '../state/state';
 import { showsStills, worstFrame, worstFrames } from '../state/stills';
 import type { Store } from '../state/store';
 import type { StillAnswer } from '../worker/protocol';

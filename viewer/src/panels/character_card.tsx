@@ -1,12 +1,12 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import type { Instance } from '../scene/scene';
 import { turnOf, withTurn } from '../scene/turn';
+import type { Instance } from '../scene/types';
 import { select, toggleHidden } from '../state/changes';
 import { changeInstance, duplicateInstance, removeInstance } from '../state/edits';
 import { endEdit } from '../state/history';
 import type { State, Update } from '../state/state';
-import type { CharacterFacts } from '../worker/protocol';
 import { counted } from '../words';
+import type { CharacterFacts } from '../worker/protocol';
 import { Badge } from './badge';
 import { memo } from './memo';
 import { NumberField } from './number_field';

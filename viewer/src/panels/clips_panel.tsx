@@ -1,4 +1,4 @@
-import type { ClipReport } from '../report/clips';
+import type { ClipReport } from '../report/report';
 import { canChooseClip, chooseClip } from '../state/changes';
 import { counted, withCommas } from '../words';
 import { useFew } from './few';

@@ -1,6 +1,6 @@
-import { comparisonOf, comparedAnswer } from '../report/baseline';
+import { comparedAnswer, comparisonOf } from '../report/baseline';
 import { filterBy } from '../state/changes';
-import type { Filter } from '../state/listing';
+import type { Filter } from '../state/state';
 import { withCommas } from '../words';
 import { Badge } from './badge';
 import type { PanelProps } from './panel_props';

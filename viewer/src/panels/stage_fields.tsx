@@ -1,4 +1,5 @@
-import { MOST_FRAMES, type Scene } from '../scene/scene';
+import { MOST_FRAMES } from '../scene/scene';
+import type { Scene } from '../scene/types';
 import { changeFps, changeFrameCount, rearrange } from '../state/edits';
 import { endEdit } from '../state/history';
 import type { State, Update } from '../state/state';

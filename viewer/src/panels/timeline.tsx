@@ -1,15 +1,15 @@
 import type { JSX } from 'preact';
-import { jumpToContact, pauseAt, step, togglePlaying, type Change } from '../state/changes';
+import { jumpToContact, pauseAt, step, togglePlaying } from '../state/changes';
 import { whyNothingIsCompared } from '../state/compared';
 import { checkedFrames } from '../state/frames';
 import { frameInPicture, momentOf } from '../state/shots';
+import type { Change, State, Update } from '../state/state';
 import { knownSteps } from '../state/steps';
-import type { State, Update } from '../state/state';
 import { counted } from '../words';
-import type { PanelProps } from './panel_props';
 import { betweenInWords } from './between';
 import { Chart } from './chart';
 import { Announcement, FrameFacts, SweepFacts } from './clip_facts';
+import type { PanelProps } from './panel_props';
 
 export function Timeline({ state, update }: PanelProps) {
   const { scene, sweep } = state;

@@ -1,7 +1,7 @@
 /** Differences from a baseline. */
 
 import type { Touch } from '../worker/protocol';
-import type { ReportAnswer, WorseTouch } from './report';
+import type { ReportAnswer, Standing, WorseTouch } from './report';
 import { isAsItCame, placeName, type Asked } from './verdict';
 
 /** Numbers of touches. */
@@ -41,8 +41,6 @@ export function worseTouch({ a, b }: Pick<Touch, 'a' | 'b'>, state: Asked): Wors
     null
   );
 }
-
-export type Standing = 'new' | 'grown' | 'known';
 
 /** Returns null without a baseline, and for another scene than the compared one. */
 export function standingOf(touch: Pick<Touch, 'a' | 'b'>, state: Asked): Standing | null {

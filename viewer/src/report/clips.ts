@@ -1,28 +1,9 @@
 /** A report of all clips, as reports of single clips. The page shows one clip at a time. */
 
-import type { Scene } from '../scene/scene';
+import type { Scene } from '../scene/types';
 import type { FrameRange } from '../worker/protocol';
-import type { ReportAnswer, Report, ReportedStep, ReportedTake } from './report';
+import type { ClipReport, Reel, Report, ReportAnswer, ReportedStep, ReportedTake } from './report';
 import { worstFrame } from './verdict';
-
-/** One clip of a report of all clips. */
-export interface ClipReport {
-  clip: string;
-  frameCount: number;
-  /** The report of this clip alone, without files. */
-  report: Report;
-  /** Most contacts of a frame, and frames in contact; null without an answer. */
-  worst: number | null;
-  framesInContact: number | null;
-}
-
-/** A report of all clips, and what its scene plays. */
-export interface Reel {
-  /** In the order of the report, without clips that were not checked. */
-  clips: readonly ClipReport[];
-  /** The instances that play all clips. */
-  players: readonly number[];
-}
 
 /** Returns null for a report of another kind. */
 export function reelOf(report: Report): Reel | null {

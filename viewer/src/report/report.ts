@@ -183,6 +183,31 @@ interface Body {
   part?: string;
 }
 
+/** One clip of a report of all clips. */
+export interface ClipReport {
+  clip: string;
+  frameCount: number;
+  /** The report of this clip alone, without files. */
+  report: Report;
+  /** Most contacts of a frame, and frames in contact; null without an answer. */
+  worst: number | null;
+  framesInContact: number | null;
+}
+
+/** A report of all clips, and what its scene plays. */
+export interface Reel {
+  /** In the order of the report, without clips that were not checked. */
+  clips: readonly ClipReport[];
+  /** The instances that play all clips. */
+  players: readonly number[];
+}
+
+/** How a touch stands beside the baseline. */
+export type Standing = 'new' | 'grown' | 'known';
+
+/** Whether the page finds what the command has found. */
+export type Finding = 'agrees' | 'differs';
+
 /**
  * Returns nothing if the page is not a report. Throws an error for a report that the page cannot
  * show.

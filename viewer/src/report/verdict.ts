@@ -1,8 +1,9 @@
 /** The result of the command, and whether the page agrees. */
 
-import type { Scene } from '../scene/scene';
 import { isSameSelf, selfQuestion } from '../scene/self';
+import type { Scene } from '../scene/types';
 import type { State, SweepState } from '../state/state';
+import { counted, withCommas } from '../words';
 import type {
   FrameRange,
   SelfQuestion,
@@ -11,13 +12,13 @@ import type {
   SweepTotal,
   Touch,
 } from '../worker/protocol';
-import { counted, withCommas } from '../words';
 import {
   asksBetween,
   budgetOf,
   clearanceOf,
   limitOf,
   stepsOf,
+  type Finding,
   type KnownPlace,
   type KnownTouch,
   type ReportAnswer,
@@ -33,8 +34,6 @@ export function framesToCheck({ options }: ReportAnswer, scene: Scene | null): F
 function framesOf([first, end, step]: FrameRange): number[] {
   return Array.from({ length: Math.ceil((end - first) / step) }, (_, i) => first + i * step);
 }
-
-export type Finding = 'agrees' | 'differs';
 
 /** Returns nothing until the page has counted all frames of the scene in the report. */
 export function findingOf(state: State): Finding | null {

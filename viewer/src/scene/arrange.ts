@@ -3,7 +3,7 @@
 import type { CharacterFacts } from '../worker/protocol';
 import { castOf, nameOf } from './cast';
 import { framesOfLongestClip, inWholeClips, placeAt } from './scene';
-import type { Instance, Scene, Vector3 } from './scene';
+import type { Instance, Scene, Vector3 } from './types';
 
 /**
  * `walking`: on a circle, towards its middle.

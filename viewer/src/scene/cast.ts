@@ -1,7 +1,7 @@
 /** Who is in a scene: copies of a scene with one instance more or less. */
 
 import type { CharacterFacts } from '../worker/protocol';
-import type { Scene, Vector3 } from './scene';
+import type { Scene, Vector3 } from './types';
 
 /** Returns the number of the character of each instance. */
 export function castOf({ instances }: Scene): number[] {

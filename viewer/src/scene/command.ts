@@ -2,8 +2,9 @@
 
 import type { By, CharacterFacts, FrameRange, ReadingOptions } from '../worker/protocol';
 import { FPS } from './arrange';
-import { framesOfLongestClip, type Instance, type Scene } from './scene';
-import { selfWords, type SelfChoices } from './self';
+import { framesOfLongestClip } from './scene';
+import { selfWords } from './self';
+import type { Instance, Scene, SelfChoices } from './types';
 
 /** The query of the page. */
 export interface Asking {

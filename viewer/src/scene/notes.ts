@@ -2,7 +2,7 @@
 
 import type { CharacterFacts } from '../worker/protocol';
 import { chooseClip, sizeOf } from './arrange';
-import type { Scene } from './scene';
+import type { Scene } from './types';
 
 /** Returns the notes that currently apply. */
 export function notesOn(scene: Scene, characters: readonly CharacterFacts[]): string[] {

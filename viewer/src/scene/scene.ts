@@ -1,21 +1,7 @@
-/** A scene, as docs/scenes.md has it: what the command reads, the page shows. */
+/** Frames, places and times of a scene, and changes of it. */
 
-import type { Instance, NamePair } from 'pelt';
 import type { CharacterFacts } from '../worker/protocol';
-
-export type { Instance };
-
-export type Vector3 = [number, number, number];
-export type Quaternion = [number, number, number, number];
-
-/** How the joints of a vertex are blended. */
-export type Skinning = 'linear' | 'dual-quaternion';
-
-/** A model of a scene file: the path of a file, or options to generate it. */
-export type ModelSource =
-  | string
-  | { file: string; skinning?: Skinning }
-  | { creature: { triangles: number; joints: number; seed: number }; skinning?: Skinning };
+import type { Instance, ModelSource, Scene, Vector3 } from './types';
 
 /** The path of a file, unless the model is generated. */
 export function fileOf(source: ModelSource): string | null {
@@ -26,16 +12,6 @@ export function fileOf(source: ModelSource): string | null {
 /** The same model from another file. */
 export function withFile(source: ModelSource, file: string): ModelSource {
   return typeof source === 'string' ? file : { ...source, file };
-}
-
-export interface Scene {
-  name: string;
-  frameCount: number;
-  fps: number;
-  /** `character` of an instance is an index into `State.characters`. */
-  instances: Instance[];
-  /** Names of parts or joints whose contacts with each other do not count. */
-  ignore: NamePair[];
 }
 
 /** More frames could not be counted in reasonable time, nor distinguished in a chart. */

@@ -2,8 +2,8 @@
 
 import type { CharacterFacts } from '../worker/protocol';
 import { castOf } from './cast';
-import type { Instance, Scene } from './scene';
-import { selfKeys, type SelfChoices } from './self';
+import { selfKeys } from './self';
+import type { Instance, Scene, SelfChoices } from './types';
 
 export function sceneFile(
   scene: Scene,

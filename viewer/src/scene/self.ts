@@ -3,13 +3,10 @@
  * scene files and command lines (docs/self-collision.md).
  */
 
-import type { SelfChoices } from 'pelt';
 import type { By, CharacterFacts, FrameRange, SelfQuestion } from '../worker/protocol';
-import type { Scene } from './scene';
+import type { Scene, SelfChoices } from './types';
 
 export type SelfWanted = 'off' | 'also' | 'only';
-
-export type { SelfChoices };
 
 export const USUAL_RINGS = 5;
 export const MOST_RINGS = 64;

@@ -1,6 +1,6 @@
 /** The sides that a scene can be looked at from, as directions away from it. */
 
-import type { Vector3 } from './scene';
+import type { Vector3 } from './types';
 
 /** The usual one: beside those who walk towards each other, and a little above. */
 const USUAL = { x: 1, y: 0.26, z: 0.42 };

@@ -1,6 +1,6 @@
 /** Turns around the y axis, which points up. */
 
-import type { Quaternion } from './scene';
+import type { Quaternion } from './types';
 
 /** Degrees from -180 to 180 by which a rotation turns around y (its twist). */
 export function turnOf([, y, , w]: Quaternion): number {

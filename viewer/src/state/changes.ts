@@ -3,11 +3,13 @@
  * `edits.ts`.
  */
 
-import { sceneOfClip, type ClipReport } from '../report/clips';
-import { asksBetween, budgetOf, clearanceOf, type Report } from '../report/report';
+import { sceneOfClip } from '../report/clips';
+import { asksBetween, budgetOf, clearanceOf, type ClipReport, type Report } from '../report/report';
 import { findingOf, framesToCheck, worstFrame } from '../report/verdict';
 import { arrange, USUAL_ARRANGEMENT } from '../scene/arrange';
-import { wantedSelf, type SelfChoices } from '../scene/self';
+import { wantedSelf } from '../scene/self';
+import type { SelfChoices } from '../scene/types';
+import { isDark, wantsStillness } from '../theme';
 import type {
   CharacterFacts,
   Moment,
@@ -17,13 +19,16 @@ import type {
   Spot,
   SweepProgress,
 } from '../worker/protocol';
-import { isDark, wantsStillness } from '../theme';
-import { NO_FILTER, type Filter } from './listing';
 import { momentOf } from './shots';
-import type { CameraMove, Problem, State } from './state';
+import {
+  NO_FILTER,
+  type CameraMove,
+  type Change,
+  type Filter,
+  type Problem,
+  type State,
+} from './state';
 import { knownSteps } from './steps';
-
-export type Change = (state: State) => Partial<State>;
 
 /** Frames follow each other in a circle. */
 export function toFrame(frame: number): Change {

@@ -2,11 +2,12 @@
 
 import { arrange, join, type Arrangement } from '../scene/arrange';
 import { castOf, duplicated, without } from '../scene/cast';
-import { inWholeClips, withFps, withInstance, type Instance, type Scene } from '../scene/scene';
+import { inWholeClips, withFps, withInstance } from '../scene/scene';
+import type { Instance, Scene } from '../scene/types';
 import type { ReadCharacters } from '../worker/protocol';
-import { problemOf, type Change } from './changes';
+import { problemOf } from './changes';
 import { edit } from './history';
-import type { State } from './state';
+import type { Change, State } from './state';
 
 /** Another clip may make the scene longer or shorter. */
 export function changeInstance(instance: number, change: Partial<Instance>): Change {

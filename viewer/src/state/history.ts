@@ -1,16 +1,6 @@
 /** Edits of the scene, which can be undone and redone. */
 
-import type { Change } from './changes';
-import type { State } from './state';
-
-/** The state that edits change. */
-const EDITED = ['scene', 'opened', 'arrangement', 'arranged', 'hidden', 'selected'] as const;
-
-export interface Edit {
-  before: Pick<State, (typeof EDITED)[number]>;
-  /** Null once the edit has ended. */
-  subject: string | null;
-}
+import { EDITED, type Change, type Edit, type State } from './state';
 
 /** Number of edits that can be undone. */
 const MOST = 200;

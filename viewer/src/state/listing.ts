@@ -1,6 +1,6 @@
 /** The contacts that are listed: of a frame or of the clip, without those that a filter leaves out. */
 
-import { standingOf, type Standing } from '../report/baseline';
+import { standingOf } from '../report/baseline';
 import type { By, CharacterFacts, Spot, Surface, Touch } from '../worker/protocol';
 import type { State } from './state';
 
@@ -8,17 +8,6 @@ import type { State } from './state';
 export function isOfSelf({ a, b }: Spot, by: By): boolean {
   return a.instance === b.instance && (by === 'instance' || a.part === b.part);
 }
-
-export interface Filter {
-  /** Each word must occur in the names of one of the two places. */
-  words: string;
-  /** Instances that touch, in ascending order; null for all. */
-  pair: readonly [number, number] | null;
-  /** Standing beside the baseline; null for all. */
-  standing: Standing | 'gone' | null;
-}
-
-export const NO_FILTER: Filter = { words: '', pair: null, standing: null };
 
 /** Returns undefined as long as the contacts are not known. */
 export function listedTouches({ listing, sweep, answer }: State): readonly Touch[] | undefined {

@@ -1,13 +1,8 @@
 /** State of the page. Data flows one way: state, request to the worker, answer, picture. */
 
-import type { Reel } from '../report/clips';
-import type { Report } from '../report/report';
-import type { Finding } from '../report/verdict';
+import type { Finding, Reel, Report, Standing } from '../report/report';
 import type { Arrangement } from '../scene/arrange';
-import type { Scene, Vector3 } from '../scene/scene';
-import type { SelfChoices } from '../scene/self';
-import type { Edit } from './history';
-import { NO_FILTER, type Filter } from './listing';
+import type { Scene, SelfChoices, Vector3 } from '../scene/types';
 import type {
   By,
   CharacterFacts,
@@ -112,6 +107,27 @@ export interface State {
   finding: Finding | null;
 }
 
+/** The state that edits change. */
+export const EDITED = ['scene', 'opened', 'arrangement', 'arranged', 'hidden', 'selected'] as const;
+
+export interface Edit {
+  before: Pick<State, (typeof EDITED)[number]>;
+  /** Null once the edit has ended. */
+  subject: string | null;
+}
+
+/** Restricts a list of contacts. */
+export interface Filter {
+  /** Each word must occur in the names of one of the two places. */
+  words: string;
+  /** Instances that touch, in ascending order; null for all. */
+  pair: readonly [number, number] | null;
+  /** Standing beside the baseline; null for all. */
+  standing: Standing | 'gone' | null;
+}
+
+export const NO_FILTER: Filter = { words: '', pair: null, standing: null };
+
 /** Another object each time. The angles, in radians, lead to the right and up. */
 export type CameraMove =
   | { kind: 'whole' }
@@ -214,4 +230,5 @@ export const initialState: State = {
   finding: null,
 };
 
-export type Update = (change: (state: State) => Partial<State>) => void;
+export type Change = (state: State) => Partial<State>;
+export type Update = (change: Change) => void;

@@ -5,9 +5,8 @@
 
 import type { Character, ContactTally, Pelt, Scene as EngineScene } from 'pelt';
 import { partsOf } from './bodies';
-import { OwnContacts } from './own_contacts';
+import { OwnContacts, type SelfFilters } from './own_contacts';
 import type { By, SelfQuestion } from './protocol';
-import type { SelfFilters } from './self_filters';
 
 export class AlwaysSearch {
   /** Of each instance. */

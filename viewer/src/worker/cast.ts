@@ -2,8 +2,7 @@
 
 import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
-import type { ModelSource, Scene } from '../scene/scene';
-import type { SelfChoices } from '../scene/self';
+import type { ModelSource, Scene, SelfChoices } from '../scene/types';
 import { buffersOf, filesOfScene } from './find_files';
 import {
   isCharacter,

@@ -5,9 +5,9 @@
 
 import type { Pelt, Pose, Scene as EngineScene } from 'pelt';
 import { collidingPairs } from './colliding_pairs';
+import type { SelfFilters } from './own_contacts';
 import type { Cost, Costs, Questions, Shot } from './protocol';
 import { limit } from './scene_crowd';
-import type { SelfFilters } from './self_filters';
 import { Stage } from './stage';
 import { Stopwatch } from './stopwatch';
 

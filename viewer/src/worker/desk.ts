@@ -1,12 +1,13 @@
 /** Takes requests to those who can answer them, and holds the characters. */
 
 import type { Pelt, Scene as EngineScene } from 'pelt';
-import type { Scene } from '../scene/scene';
+import type { Scene } from '../scene/types';
 import { decodeFiles } from './base64';
 import { readCharacters, readDemo, readSceneFile, type Cast } from './cast';
 import { CostMeter } from './costs';
 import { factsOf } from './facts';
 import { answerFrame, answerStill } from './frame';
+import { SelfFilters } from './own_contacts';
 import type {
   Answers,
   Kind,
@@ -16,7 +17,6 @@ import type {
   Request,
   SweepProgress,
 } from './protocol';
-import { SelfFilters } from './self_filters';
 import { Stage } from './stage';
 import { firstSurface } from './surfaces';
 import { Sweep } from './sweep';

@@ -1,5 +1,5 @@
 import type { Character } from 'pelt';
-import type { ModelSource } from '../scene/scene';
+import type { ModelSource } from '../scene/types';
 import type { CharacterFacts } from './protocol';
 
 export function factsOf(character: Character, source: ModelSource): CharacterFacts {

@@ -4,8 +4,7 @@
  */
 
 import type { Box, Clip, LeftOut } from 'pelt';
-import type { ModelSource, Scene, Skinning } from '../scene/scene';
-import type { SelfChoices } from '../scene/self';
+import type { ModelSource, Scene, SelfChoices, Skinning } from '../scene/types';
 
 export interface NamedFile {
   /** Path in the scene file, or of the dropped file. */

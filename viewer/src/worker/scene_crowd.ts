@@ -18,9 +18,8 @@ import { bodiesOf, type Body } from './bodies';
 import { BodyPoses } from './body_poses';
 import { findWithBudget } from './budget_search';
 import { findNear } from './near_bodies';
-import { setFilters } from './own_contacts';
+import { setFilters, type SelfFilters } from './own_contacts';
 import type { By, ContactQuestion, SelfQuestion } from './protocol';
-import type { SelfFilters } from './self_filters';
 import { NOTHING_LEFT_OUT, sumOfLeftOut, sumOfStats } from './sums';
 
 export interface SceneContacts extends CrowdContacts {

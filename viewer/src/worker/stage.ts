@@ -1,10 +1,10 @@
 /** A scene at one of its frames: a crowd for queries, and poses for drawing. */
 
 import type { Character, Pelt, Pose, Scene as EngineScene } from 'pelt';
+import type { SelfFilters } from './own_contacts';
 import { Poses } from './poses';
 import type { By, ContactQuestion, SelfQuestion } from './protocol';
 import { limit, SceneCrowd, type SceneContacts } from './scene_crowd';
-import type { SelfFilters } from './self_filters';
 import { TriangleSets } from './triangle_sets';
 
 export class Stage {

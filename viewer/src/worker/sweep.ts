@@ -2,9 +2,9 @@
 
 import type { ContactHash, LeftOut, Pelt, Scene as EngineScene } from 'pelt';
 import { AlwaysSearch } from './always_search';
+import type { SelfFilters } from './own_contacts';
 import type { FrameRange, Questions, Step, SweepProgress, SweepTotal } from './protocol';
 import { countSelf, SceneCrowd } from './scene_crowd';
-import type { SelfFilters } from './self_filters';
 import { Steps } from './steps';
 import { NOTHING_LEFT_OUT, sumOfLeftOut } from './sums';
 import { TouchTally } from './touches';

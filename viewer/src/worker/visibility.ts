@@ -3,8 +3,8 @@
  */
 
 import type { Pose } from 'pelt';
-import type { Vector3 } from '../scene/scene';
 import { SIDES } from '../scene/sides';
+import type { Vector3 } from '../scene/types';
 import type { Glow } from './protocol';
 
 /** More would take longer and hardly say more. */
