@@ -118,7 +118,7 @@ describe('beside a baseline', () => {
 });
 
 test('nothing is compared unless two instances or parts are there', async () => {
-  const { whyNothingIsCompared } = await load('state/compared.ts');
+  const { whyNothingIsCompared } = await load('state/shots.ts');
   const characters = [{ partCount: 1 }, { partCount: 2 }];
   const reason = (by, ...cast) => {
     const scene = { instances: cast.map((character) => ({ character })) };

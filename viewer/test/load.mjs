@@ -1,4 +1,4 @@
-// Loads parts of the page in Node: `load('scene/turn.ts')` returns the module; `root` is the folder
+// Loads parts of the page in Node: `load('scene/scene.ts')` returns the module; `root` is the folder
 // of package.json.
 
 import { fileURLToPath } from 'node:url';

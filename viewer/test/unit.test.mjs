@@ -16,7 +16,7 @@ describe('turns around y', () => {
   };
 
   test('are read from -180 to 180 degrees', async () => {
-    const { turnOf } = await load('scene/turn.ts');
+    const { turnOf } = await load('scene/scene.ts');
     for (const degrees of [-179, -90, 0, 30, 180]) {
       assert.ok(Math.abs(turnOf(quaternion(degrees)) - degrees) < 1e-9, `${degrees}`);
     }
@@ -24,7 +24,7 @@ describe('turns around y', () => {
   });
 
   test('are set whatever else a rotation does', async () => {
-    const { turnOf, withTurn } = await load('scene/turn.ts');
+    const { turnOf, withTurn } = await load('scene/scene.ts');
     const leaning = [0.2, 0.1, -0.3, Math.sqrt(1 - 0.04 - 0.01 - 0.09)];
     for (const degrees of [-120, 0, 45]) {
       const turned = withTurn(leaning, degrees);
@@ -36,7 +36,7 @@ describe('turns around y', () => {
 
 describe("a report's files", () => {
   test('are the bytes that base64 stands for', async () => {
-    const { decodeFiles } = await load('worker/base64.ts');
+    const { decodeFiles } = await load('worker/cast.ts');
     const bytes = Uint8Array.from({ length: 256 }, (_, i) => i);
     const files = { 'a/b.bin': Buffer.from(bytes).toString('base64'), empty: '' };
     assert.deepEqual(decodeFiles(files), [
@@ -142,7 +142,7 @@ describe('contacts of a character with itself', () => {
   });
 
   test('are found in a spot in any order', async () => {
-    const { contactsInSpot } = await load('worker/spots.ts');
+    const { contactsInSpot } = await load('worker/close_ups.ts');
     const place = (part) => ({ instance: 0, part, joint: 'hip' });
     const spot = { a: place('coat'), b: place('arm') };
     assert.deepEqual([...contactsInSpot([character, character], contacts, spot)], [0, 0, 1, 0]);
@@ -163,7 +163,7 @@ describe('contacts of a character with itself', () => {
 
 describe('triangles in contact', () => {
   test('are gathered once each, by instances, also in the next frame', async () => {
-    const { TriangleSets } = await load('worker/triangle_sets.ts');
+    const { TriangleSets } = await load('worker/glow.ts');
     const sets = new TriangleSets([10, 10, 10]);
     const contacts = Uint32Array.of(0, 1, 3, 4, 0, 1, 3, 5, 0, 2, 3, 9);
     for (const round of [1, 2]) {
@@ -203,7 +203,7 @@ describe('triangles in contact', () => {
 
 describe('contacts', () => {
   test('are seen from the sides on which nothing stands before them', async () => {
-    const { seenFromSides } = await load('worker/visibility.ts');
+    const { seenFromSides } = await load('worker/close_ups.ts');
     const { SIDES } = await load('scene/sides.ts');
     const glow = {
       triangles: 2,
@@ -253,7 +253,7 @@ describe('files that are read', () => {
 
 describe('boxes', () => {
   test('that overlap or meet make a pair', async () => {
-    const { collidingPairs } = await load('worker/colliding_pairs.ts');
+    const { collidingPairs } = await load('worker/body_pairs.ts');
     const pose = (low, high) => ({ bounds: () => ({ box: { low, high } }) });
     const [a, b, c] = [
       pose([0, 0, 0], [1, 1, 1]),

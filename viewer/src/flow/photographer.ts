@@ -5,9 +5,9 @@
 
 import { betterSide } from '../scene/sides';
 import type { Vector3 } from '../scene/types';
+import { showsStills, worstFrame, worstFrames } from '../state/counts';
 import { shotOf } from '../state/shots';
 import type { AnsweredShot, State, Still } from '../state/state';
-import { showsStills, worstFrame, worstFrames } from '../state/stills';
 import type { Store } from '../state/store';
 import type { StillAnswer } from '../worker/protocol';
 import type { Asker } from './asker';

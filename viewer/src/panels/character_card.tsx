@@ -1,5 +1,5 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import { turnOf, withTurn } from '../scene/turn';
+import { turnOf, withTurn } from '../scene/scene';
 import type { Instance } from '../scene/types';
 import { select, toggleHidden } from '../state/changes';
 import { changeInstance, duplicateInstance, removeInstance } from '../state/edits';

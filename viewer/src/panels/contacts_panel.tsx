@@ -1,28 +1,25 @@
 import type { ComponentChildren } from 'preact';
 import { isOneBody } from '../scene/self';
 import { checkAllFrames } from '../state/changes';
-import { whyNothingIsCompared } from '../state/compared';
 import { totalsOf } from '../state/counts';
 import { rearrange } from '../state/edits';
 import { checkedFrames, rangeInWords } from '../state/frames';
 import { filtered, isOfSelf, listedTouches } from '../state/listing';
-import { asksPairs, asksSelf, isLate } from '../state/shots';
+import { asksPairs, asksSelf, isLate, whyNothingIsCompared } from '../state/shots';
 import type { State } from '../state/state';
-import type { Touch } from '../worker/protocol';
 import { withCommas } from '../words';
+import type { Touch } from '../worker/protocol';
 import { BetweenFrames } from './between';
-import { ClosestList } from './closest_list';
 import { Budget } from './budget';
+import { ClosestList } from './closest_list';
 import { Filters } from './filters';
-import { Gone } from './gone';
-import type { PanelProps } from './panel_props';
 import { Pairs } from './pairs';
-import { QuerySwitches } from './query_switches';
+import type { PanelProps } from './panel_props';
+import { QuerySwitches, SelfSwitch } from './query_switches';
 import { SameNumbers } from './same_numbers';
 import { SelfFilters } from './self_filters';
-import { SelfSwitch } from './self_switch';
 import { Stills } from './stills';
-import { Touches } from './touches';
+import { Gone, Touches } from './touches';
 
 /** The question, and one list of contacts for each kind of answer. */
 export function ContactsPanel({ state, update }: PanelProps) {

@@ -2,7 +2,7 @@ import { HEAD } from '../flow/painted';
 import { toggleHelp, toggleTheme } from '../state/changes';
 import { undo } from '../state/history';
 import type { PanelProps } from './panel_props';
-import { saveScene } from './save';
+import { saveScene } from './same_numbers';
 
 export function Header({ state, update, openFiles }: PanelProps & { openFiles: () => void }) {
   const { scene, reading, past } = state;

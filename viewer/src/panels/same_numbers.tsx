@@ -1,9 +1,9 @@
 import { isAsItCame } from '../report/verdict';
 import { checkCommand } from '../scene/command';
+import { sceneFile } from '../scene/scene_file';
 import { checkedFrames } from '../state/frames';
-import { asksBetween } from '../state/steps';
 import type { State } from '../state/state';
-import { saveScene } from './save';
+import { asksBetween } from '../state/steps';
 
 /** Shows the command with the same result. An unmodified report shows its own command. */
 export function SameNumbers({ state }: { state: State }) {
@@ -28,4 +28,13 @@ export function SameNumbers({ state }: { state: State }) {
       )}
     </p>
   );
+}
+
+/** Lets the browser save the scene on the stage as a file. */
+export function saveScene({ scene, characters, self }: State): void {
+  if (!scene) return;
+  const link = document.createElement('a');
+  link.href = `data:application/json,${encodeURIComponent(sceneFile(scene, characters, self))}`;
+  link.download = 'scene.json';
+  link.click();
 }

@@ -1,5 +1,5 @@
 import { pauseAt } from '../state/changes';
-import { showsStills } from '../state/stills';
+import { showsStills } from '../state/counts';
 import { withCommas } from '../words';
 import type { PanelProps } from './panel_props';
 

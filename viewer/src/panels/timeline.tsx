@@ -1,8 +1,7 @@
 import type { JSX } from 'preact';
 import { jumpToContact, pauseAt, step, togglePlaying } from '../state/changes';
-import { whyNothingIsCompared } from '../state/compared';
 import { checkedFrames } from '../state/frames';
-import { frameInPicture, momentOf } from '../state/shots';
+import { frameInPicture, momentOf, whyNothingIsCompared } from '../state/shots';
 import type { Change, State, Update } from '../state/state';
 import { knownSteps } from '../state/steps';
 import { counted } from '../words';

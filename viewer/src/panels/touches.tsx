@@ -1,12 +1,13 @@
-import { worstFirst } from '../report/baseline';
+import { worseTouch, worstFirst } from '../report/baseline';
+import type { GoneTouch, KnownName } from '../report/report';
 import { lookAt } from '../state/changes';
+import { matches } from '../state/listing';
 import type { State, Update } from '../state/state';
-import type { Spot, Surface, Touch } from '../worker/protocol';
 import { counted, withCommas } from '../words';
+import type { Spot, Surface, Touch } from '../worker/protocol';
 import { useFew } from './few';
 import type { PanelProps } from './panel_props';
 import { Place } from './place';
-import { Worse } from './worse';
 
 /** Number of rows, unless all are shown. */
 const FEW = 40;
@@ -151,4 +152,42 @@ function ofSeveralParts(touches: readonly Touch[]): ReadonlySet<number> {
     else if (firstParts.get(instance) !== part) several.add(instance);
   }
   return several;
+}
+
+/** Shows how a touch is worse than in the baseline: both numbers of contacts. */
+export function Worse({ state, touch }: { state: State; touch: Touch }) {
+  const found = worseTouch(touch, state);
+  if (!found) return null;
+  const { worst, known } = found;
+  const isNew = known === 0;
+  return (
+    <small class="worse" title="Contacts in the worst frame, now and in the baseline">
+      <b class={isNew ? 'standing new' : 'standing grown'}>{isNew ? 'new' : 'grown'}</b>
+      {` ${withCommas(worst.contacts)} in frame ${worst.frame}`}
+      {!isNew && `, was ${withCommas(known)}`}
+    </small>
+  );
+}
+
+/** Contacts of the baseline that the check did not find. */
+export function Gone({ gone, words }: { gone: readonly GoneTouch[]; words: string }) {
+  const listed = gone.filter(({ a, b }) => matches(words, `${nameOf(a)} ${nameOf(b)}`));
+  const { shown, more } = useFew(listed, FEW);
+  if (listed.length === 0) return <p class="nothing quiet">No contact is gone.</p>;
+  return (
+    <ol class="touches gone">
+      {shown.map(({ a, b, known }) => (
+        <li title={`${counted(known, 'contact')} in the worst frame of the baseline`}>
+          <span>{nameOf(a)}</span>
+          <span>{nameOf(b)}</span>
+          <span class="count">was {known}</span>
+        </li>
+      ))}
+      {more && <li>{more}</li>}
+    </ol>
+  );
+}
+
+function nameOf({ model, copy, part = '', joint }: KnownName): string {
+  return [model, copy > 0 ? `(${copy})` : '', part, joint].filter((word) => word !== '').join(' ');
 }

@@ -1,7 +1,7 @@
 /** Frames, places and times of a scene, and changes of it. */
 
 import type { CharacterFacts } from '../worker/protocol';
-import type { Instance, ModelSource, Scene, Vector3 } from './types';
+import type { Instance, ModelSource, Quaternion, Scene, Vector3 } from './types';
 
 /** The path of a file, unless the model is generated. */
 export function fileOf(source: ModelSource): string | null {
@@ -67,4 +67,18 @@ export function inWholeClips(
 ): Scene {
   if (scene.frameCount !== framesOfLongestClip(scene, characters)) return changed;
   return { ...changed, frameCount: framesOfLongestClip(changed, characters) };
+}
+
+/** Degrees from -180 to 180 by which a rotation turns around y, which points up (its twist). */
+export function turnOf([, y, , w]: Quaternion): number {
+  const degrees = (360 / Math.PI) * Math.atan2(y, w);
+  return degrees > 180 ? degrees - 360 : degrees <= -180 ? degrees + 360 : degrees;
+}
+
+/** The rotation turned further until its turn is that. */
+export function withTurn(rotation: Quaternion, degrees: number): Quaternion {
+  const half = ((degrees - turnOf(rotation)) * Math.PI) / 360;
+  const [sin, cos] = [Math.sin(half), Math.cos(half)];
+  const [x, y, z, w] = rotation;
+  return [cos * x + sin * z, cos * y + sin * w, cos * z - sin * x, cos * w - sin * y];
 }

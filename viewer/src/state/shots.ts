@@ -1,9 +1,9 @@
 /** The shot that the state wants, and whether the answer shows it. */
 
-import { isSameSelf, selfQuestion } from '../scene/self';
+import { isSameSelf, selfQuestion, wantedSelf } from '../scene/self';
+import type { Moment, SelfQuestion, Shot } from '../worker/protocol';
 import { checkedFrames } from './frames';
 import type { State } from './state';
-import type { Moment, SelfQuestion, Shot } from '../worker/protocol';
 
 /** How bodies are tested against themselves; null if they are not, or if there is no scene. */
 export function selfOf(state: State): SelfQuestion | null {
@@ -80,4 +80,19 @@ export function isLate(state: State): boolean {
 /** While the scene plays, that which all numbers and the picture are of. */
 export function frameInPicture({ isPlaying, scene, answer, frame }: State): number {
   return isPlaying && answer?.shot.scene === scene ? answer.shot.frame : frame;
+}
+
+/** Returns why no body is compared with another one or with itself, or null if some are. */
+export function whyNothingIsCompared({
+  scene,
+  characters,
+  by,
+  self,
+}: Pick<State, 'scene' | 'characters' | 'by' | 'self'>): string | null {
+  if (!scene || wantedSelf({ scene, characters, by, self }) !== 'off') return null;
+  const partsOf = (character: number) => (by === 'part' ? characters[character].partCount : 1);
+  const bodies = scene.instances.reduce((sum, { character }) => sum + partsOf(character), 0);
+  if (bodies > 1) return null;
+  const things = by === 'part' ? 'parts' : 'characters';
+  return `the scene has fewer than two ${things}, and “self” is off`;
 }

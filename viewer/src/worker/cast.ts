@@ -1,11 +1,12 @@
 /** Characters for the stage, and the scene that came with them. */
 
-import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import type { Character, MeshoptDecode, Pelt, Scene as EngineScene } from 'pelt';
 import type { ModelSource, Scene, SelfChoices } from '../scene/types';
 import { buffersOf, filesOfScene } from './find_files';
 import {
   isCharacter,
+  type CharacterFacts,
   type NamedFile,
   type Questions,
   type ReadingOptions,
@@ -80,3 +81,20 @@ function castOf(
 
 const meshoptDecode: MeshoptDecode = (target, count, size, source, mode, filter) =>
   MeshoptDecoder.decodeGltfBuffer(target, count, size, source, mode, filter);
+
+export function decodeFiles(files: Readonly<Record<string, string>>): NamedFile[] {
+  return Object.entries(files).map(([path, base64]) => ({ path, bytes: decode(base64) }));
+}
+
+function decode(base64: string): Uint8Array<ArrayBuffer> {
+  const letters = atob(base64);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
+
+export function factsOf(character: Character, source: ModelSource): CharacterFacts {
+  const { name, triangles, vertexCount, levelCount, clips, extent, warnings } = character;
+  const partCount = character.parts.filter((part) => part.triangleCount > 0).length;
+  return { name, source, triangles, vertexCount, levelCount, partCount, clips, extent, warnings };
+}

@@ -3,13 +3,12 @@
  * that a requested frame need not wait.
  */
 
-import type { Pelt, Pose, Scene as EngineScene } from 'pelt';
-import { collidingPairs } from './colliding_pairs';
+import type { Character, Pelt, Pose, Scene as EngineScene } from 'pelt';
+import { collidingPairs } from './body_pairs';
 import type { SelfFilters } from './own_contacts';
 import type { Cost, Costs, Questions, Shot } from './protocol';
 import { limit } from './scene_crowd';
 import { Stage } from './stage';
-import { Stopwatch } from './stopwatch';
 
 /** Clocks of browsers tick in steps of up to a tenth of a millisecond. */
 const LEAST_MILLISECONDS = 2;
@@ -104,4 +103,50 @@ export class CostMeter {
       nodes: sum((pose) => pose.nodeCount),
     };
   }
+}
+
+/** Tells how long something takes that is done bit by bit, with other things in between. */
+export class Stopwatch {
+  private before = 0;
+  private since = 0;
+
+  start(): void {
+    this.before = 0;
+    this.since = performance.now();
+  }
+
+  pause(): void {
+    this.before = this.milliseconds;
+  }
+
+  goOn(): void {
+    this.since = performance.now();
+  }
+
+  get milliseconds(): number {
+    return this.before + performance.now() - this.since;
+  }
+}
+
+/** Work of refitting everything for an instance of a character or a part; the same in every pose. */
+export interface WholeWork {
+  refits: number;
+  posedVertices: number;
+}
+
+const known = new WeakMap<Character, Map<Pose['part'], WholeWork>>();
+
+export function wholeWorkOf({ character, part }: Pose): WholeWork {
+  const ofParts = known.get(character) ?? new Map();
+  known.set(character, ofParts);
+  const work = ofParts.get(part) ?? refitOnce(character, part);
+  ofParts.set(part, work);
+  return work;
+}
+
+function refitOnce(character: Character, part: Pose['part']): WholeWork {
+  const pose = character.makePose(part);
+  const { refits, posedVertices } = pose.openAll();
+  pose.delete();
+  return { refits, posedVertices };
 }

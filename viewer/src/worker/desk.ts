@@ -2,10 +2,8 @@
 
 import type { Pelt, Scene as EngineScene } from 'pelt';
 import type { Scene } from '../scene/types';
-import { decodeFiles } from './base64';
-import { readCharacters, readDemo, readSceneFile, type Cast } from './cast';
+import { decodeFiles, factsOf, readCharacters, readDemo, readSceneFile, type Cast } from './cast';
 import { CostMeter } from './costs';
-import { factsOf } from './facts';
 import { answerFrame, answerStill } from './frame';
 import { SelfFilters } from './own_contacts';
 import type {

@@ -1,9 +1,9 @@
 /** Computes one frame: poses everything, queries all pairs, and collects what the page shows. */
 
 import type { Pelt, Pose, QueryStats, Scene as EngineScene } from 'pelt';
-import { findWithBudget } from './budget_search';
-import { closestPointsOf } from './closest_points';
-import { collidingPairs, pairsWithin } from './colliding_pairs';
+import { collidingPairs, findWithBudget, pairsWithin } from './body_pairs';
+import { closestPointsOf, contactsInSpot, seenFromSides } from './close_ups';
+import { wholeWorkOf } from './costs';
 import { glowOf } from './glow';
 import type {
   FrameAnswer,
@@ -17,12 +17,9 @@ import type {
   Work,
 } from './protocol';
 import { limit, split, type SplitContacts } from './scene_crowd';
-import { contactsInSpot } from './spots';
 import type { Stage } from './stage';
-import { NOTHING_LEFT_OUT, NO_WORK } from './sums';
+import { NO_WORK, NOTHING_LEFT_OUT } from './sums';
 import { TouchTally } from './touches';
-import { seenFromSides } from './visibility';
-import { wholeWorkOf } from './whole_work';
 
 /** `spares` has arrays for the instances to be drawn with, where the page is done with some. */
 export function answerFrame(

@@ -1,7 +1,7 @@
 /** The triangles in contact as the page draws them: corners and centres, ready to be uploaded. */
 
 import type { Character } from 'pelt';
-import type { PosedInstance, Glow } from './protocol';
+import type { Glow, PosedInstance } from './protocol';
 
 /** Lengths are powers of two of triangles, so that arrays of the same length follow each other. */
 const LEAST_TRIANGLES = 64;
@@ -55,5 +55,31 @@ function writeTriangle(
       corners[9 * at + 3 * corner + axis] = place;
       centres[3 * at + axis] += place / 3;
     }
+  }
+}
+
+/** The triangles of each instance that are in contact, each once. */
+export class TriangleSets {
+  private readonly isIn: Uint8Array[];
+
+  /** `counts` has how many triangles each instance has. */
+  constructor(counts: readonly number[]) {
+    this.isIn = counts.map((count) => new Uint8Array(count));
+  }
+
+  /** `contacts` as a crowd has them; in the order in which they come there. */
+  gather(contacts: Uint32Array): Uint32Array[] {
+    const found: number[][] = this.isIn.map(() => []);
+    const add = (instance: number, triangle: number) => {
+      if (this.isIn[instance][triangle]) return;
+      this.isIn[instance][triangle] = 1;
+      found[instance].push(triangle);
+    };
+    for (let i = 0; i < contacts.length; i += 4) {
+      add(contacts[i], contacts[i + 2]);
+      add(contacts[i + 1], contacts[i + 3]);
+    }
+    found.forEach((triangles, i) => triangles.forEach((t) => (this.isIn[i][t] = 0)));
+    return found.map((triangles) => Uint32Array.from(triangles));
   }
 }

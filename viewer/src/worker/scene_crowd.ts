@@ -15,9 +15,7 @@ import type {
   Scene as EngineScene,
 } from 'pelt';
 import { bodiesOf, type Body } from './bodies';
-import { BodyPoses } from './body_poses';
-import { findWithBudget } from './budget_search';
-import { findNear } from './near_bodies';
+import { BodyPoses, findNear, findWithBudget } from './body_pairs';
 import { setFilters, type SelfFilters } from './own_contacts';
 import type { By, ContactQuestion, SelfQuestion } from './protocol';
 import { NOTHING_LEFT_OUT, sumOfLeftOut, sumOfStats } from './sums';
