@@ -1,5 +1,5 @@
 #!/bin/sh
-# pkg_config.sh COMPILER PKG_CONFIG_PATH EXAMPLES FOLDER: compiles the README's programs in FOLDER
+# pkg_config.sh COMPILER PKG_CONFIG_PATH EXAMPLES FOLDER: compiles the programs of docs/getting-started.md in FOLDER
 # with the flags of pkg-config, and runs the one that needs no file.
 set -eu
 compiler=$1 examples=$3 folder=$4

@@ -1,4 +1,4 @@
-/// Runs the programs of docs/queries.md.
+/// Runs the programs of docs/queries.md, and the eight lines of the README.
 
 #include "support/skinned_shapes.hpp"
 
@@ -6,7 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <string>
+
+// Defined in docs/examples.
+void print_contacts(const pelt::SkinnedMeshView& mesh, std::span<const pelt::Matrix4> palette_a,
+                    std::span<const pelt::Matrix4> palette_b);
 
 // Defined in docs/examples/queries.
 pelt::Sphere sphere_around(pelt::Pose& pose, std::span<const pelt::Matrix4> palette);
@@ -67,6 +73,15 @@ class QueryExamples : public ::testing::Test {
   Pose pose_{limb()};
   Scratch scratch_;
 };
+
+TEST_F(QueryExamples, EightLines) {
+  const auto mesh = make_limb(16, 12, 3);
+  ::testing::internal::CaptureStdout();
+  print_contacts(mesh.view(), moved(0), moved(0.05f));
+  const std::string printed = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(printed.find("triangle "), 0u);
+  EXPECT_GT(std::count(printed.begin(), printed.end(), '\n'), 10);
+}
 
 TEST_F(QueryExamples, Bounds) {
   const Sphere sphere = sphere_around(pose_, moved(5));

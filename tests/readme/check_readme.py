@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Checks the programs and commands that README.md shows.
+"""Checks the programs and commands that documents show.
 
-    check_readme.py programs README EXAMPLES_FOLDER
-    check_readme.py commands README BIN_FOLDER [SECONDS]
+    check_readme.py programs EXAMPLES_FOLDER DOCUMENT...
+    check_readme.py commands DOCUMENT BIN_FOLDER [SECONDS]
 
-programs: each ```cpp block must equal one of docs/examples/*.cpp, and each of these must be shown.
+programs: each ```cpp block must equal one of EXAMPLES_FOLDER/*.cpp, or after a line `<!-- part -->`,
+indented by two spaces, be a part of one. Each of these files must be shown by one of the documents.
 
 commands: runs the ```sh blocks that follow a line `<!-- run -->`, in order, in one empty folder,
 with BIN_FOLDER first on the PATH; each must end with status 0, or with N after `<!-- run: N -->`.
@@ -17,6 +18,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 BLOCK = re.compile(r"(?:^<!-- *(?P<mark>[^\n]*?) *-->\n+)?^```(?P<language>\w+)\n(?P<text>.*?)^```$",
                    re.MULTILINE | re.DOTALL)
@@ -30,14 +32,19 @@ def blocks(readme, language):
             yield text.count("\n", 0, match.start("text")), match["mark"] or "", match["text"]
 
 
-def check_programs(readme, folder):
-    examples = {file.read_text(): file.name for file in pathlib.Path(folder).glob("*.cpp")}
-    shown = list(blocks(readme, "cpp"))
-    wrong = [f"{readme}:{line}: this program is none of {folder}/*.cpp"
-             for line, _, text in shown if text not in examples]
-    missing = examples.keys() - {text for _, _, text in shown}
-    wrong += [f"{readme}: does not show {folder}/{examples[text]}" for text in missing]
-    return len(shown), wrong
+def check_programs(folder, *documents):
+    examples = {file.name: file.read_text() for file in pathlib.Path(folder).glob("*.cpp")}
+    count, wrong, unseen = 0, [], set(examples)
+    for document in documents:
+        for line, mark, text in blocks(document, "cpp"):
+            part = textwrap.indent(text, "  ")
+            shown = {name for name, example in examples.items()
+                     if text == example or (mark == "part" and part in example)}
+            if not shown:
+                wrong.append(f"{document}:{line}: this program is none of {folder}/*.cpp")
+            count, unseen = count + 1, unseen - shown
+    wrong += [f"no document shows {folder}/{name}" for name in sorted(unseen)]
+    return count, wrong
 
 
 def matches(expected, output):

@@ -1,4 +1,4 @@
-"""check_readme.py accepts a correct README and rejects each kind of error."""
+"""check_readme.py accepts correct documents and rejects each kind of error."""
 
 import pathlib
 import tempfile
@@ -16,23 +16,36 @@ class CheckReadme(unittest.TestCase):
         self.folder = pathlib.Path(holder.name)
         (self.folder / "a.cpp").write_text(PROGRAM)
 
-    def check(self, check, text):
-        readme = self.folder / "README.md"
-        readme.write_text(text)
-        count, wrong = check(readme, self.folder)
+    def document(self, text, name="README.md"):
+        document = self.folder / name
+        document.write_text(text)
+        return document
+
+    def programs(self, *texts):
+        documents = [self.document(text, f"{i}.md") for i, text in enumerate(texts)]
+        count, wrong = check_readme.check_programs(self.folder, *documents)
         return count, len(wrong)
 
-    def programs(self, text):
-        return self.check(check_readme.check_programs, text)
-
     def commands(self, text):
-        return self.check(check_readme.check_commands, text)
+        count, wrong = check_readme.check_commands(self.document(text), self.folder)
+        return count, len(wrong)
 
     def test_a_program_is_shown_to_the_letter(self):
         self.assertEqual(self.programs(f"# A\n\n```cpp\n{PROGRAM}```\n"), (1, 0))
 
     def test_a_changed_program_is_wrong_and_the_example_missing(self):
         self.assertEqual(self.programs("```cpp\nint main() { }\n```\n"), (1, 2))
+
+    def test_each_example_is_shown_by_one_of_the_documents(self):
+        shown = f"```cpp\n{PROGRAM}```\n"
+        self.assertEqual(self.programs("", shown), (1, 0))
+        self.assertEqual(self.programs("", ""), (0, 1))
+
+    def test_a_marked_block_may_be_a_part(self):
+        (self.folder / "a.cpp").write_text("int main() {\n  f();\n  g();\n}\n")
+        self.assertEqual(self.programs("<!-- part -->\n```cpp\nf();\n```\n"), (1, 0))
+        self.assertEqual(self.programs("<!-- part -->\n```cpp\nh();\n```\n"), (1, 2))
+        self.assertEqual(self.programs("```cpp\nf();\n```\n"), (1, 2))
 
     def test_only_marked_commands_run(self):
         self.assertEqual(self.commands("```sh\nfalse\n```\n\n<!-- run -->\n```sh\ntrue\n```\n"),
