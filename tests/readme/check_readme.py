@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Checks the programs and commands that documents show.
+"""Checks the programs and commands that documents show, and their links.
 
     check_readme.py programs EXAMPLES_FOLDER DOCUMENT...
     check_readme.py commands DOCUMENT BIN_FOLDER [SECONDS]
+    check_readme.py links DOCUMENT...
 
 programs: each ```cpp block must equal one of EXAMPLES_FOLDER/*.cpp, or after a line `<!-- part -->`,
 indented by two spaces, be a part of one. Each of these files must be shown by one of the documents.
@@ -11,6 +12,8 @@ commands: runs the ```sh blocks that follow a line `<!-- run -->`, in order, in 
 with BIN_FOLDER first on the PATH; each must end with status 0, or with N after `<!-- run: N -->`.
 A ```text block after `<!-- output -->` must equal the output of the last block, including standard
 error; `...` matches any text, also across lines.
+
+links: each link to a file or a picture must lead to one, and to one of its headings if it names one.
 """
 
 import pathlib
@@ -71,12 +74,32 @@ def check_commands(readme, bin_folder, seconds=600):
     return ran, wrong
 
 
+def headings(document):
+    """Returns the names by which links call the headings of a document."""
+    found = re.findall(r"^#+ (.*)$", document.read_text(), re.MULTILINE)
+    return [re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in found]
+
+
+def check_links(*documents):
+    count, wrong = 0, []
+    for document in map(pathlib.Path, documents):
+        links = re.findall(r"\]\((?!https?:)([^)#]*)#?([^)]*)\)", document.read_text())
+        for path, heading in links:
+            target = document.parent / path if path else document
+            if not target.exists() or (heading and heading not in headings(target)):
+                wrong.append(f"{document}: nothing is at {path}{heading and '#' + heading}")
+        count += len(links)
+    return count, wrong
+
+
+CHECKS = {"programs": check_programs, "commands": check_commands, "links": check_links}
+
+
 def main():
-    if len(sys.argv) < 4 or sys.argv[1] not in ("programs", "commands"):
+    if len(sys.argv) < 3 or sys.argv[1] not in CHECKS:
         sys.exit(__doc__)
-    check = check_programs if sys.argv[1] == "programs" else check_commands
-    count, wrong = check(*sys.argv[2:])
-    print(*wrong, f"{count} blocks checked, {len(wrong)} wrong", sep="\n")
+    count, wrong = CHECKS[sys.argv[1]](*sys.argv[2:])
+    print(*wrong, f"{count} {sys.argv[1]} checked, {len(wrong)} wrong", sep="\n")
     sys.exit(bool(wrong) or count == 0)
 
 

@@ -30,6 +30,10 @@ class CheckReadme(unittest.TestCase):
         count, wrong = check_readme.check_commands(self.document(text), self.folder)
         return count, len(wrong)
 
+    def links(self, text):
+        count, wrong = check_readme.check_links(self.document(text))
+        return count, len(wrong)
+
     def test_a_program_is_shown_to_the_letter(self):
         self.assertEqual(self.programs(f"# A\n\n```cpp\n{PROGRAM}```\n"), (1, 0))
 
@@ -63,6 +67,13 @@ class CheckReadme(unittest.TestCase):
         self.assertEqual(self.commands(readme("o...\n...wo")), (1, 0))
         self.assertEqual(self.commands(readme("one")), (1, 1))
         self.assertEqual(self.commands(readme("one\nthree")), (1, 1))
+
+    def test_links_lead_to_files_and_headings(self):
+        self.document("# A heading, which is long\n", "other.md")
+        good = "[a](other.md) [b](other.md#a-heading-which-is-long) [c](https://x.y) [d](#top)\n# Top"
+        self.assertEqual(self.links(good), (3, 0))
+        self.assertEqual(self.links("[a](none.md)\n"), (1, 1))
+        self.assertEqual(self.links("[a](other.md#no-heading)\n"), (1, 1))
 
     def test_blocks_share_a_folder_and_see_the_programs(self):
         tool = self.folder / "tool"
