@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: draw_queries FOLDER [NAME...]\n");
     return 2;
   }
-  tools::output::remove_unfinished_files_on_signals();  // also ends the programs that are run
+  tools::output::remove_unfinished_files_on_signals();
   const std::span<char*> wanted(argv + 2, argv + argc);
   const std::filesystem::path folder = argv[1];
   struct Entry {

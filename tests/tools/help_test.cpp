@@ -7,8 +7,8 @@
 namespace pelt::test {
 namespace {
 
-constexpr const char* kVerbs[] = {"check", "merge",   "bounds", "ray",  "region", "distance",
-                                  "info",  "prepare", "pose",   "demo", "bench"};
+constexpr const char* kVerbs[] = {"check",    "merge", "view",    "bounds", "ray",  "region",
+                                  "distance", "info",  "prepare", "pose",   "demo", "bench"};
 
 TEST(Help, NamesEveryVerb) {
   const TestFolder folder;

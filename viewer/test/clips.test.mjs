@@ -76,7 +76,7 @@ test('the page says if a clip of a report has other contacts', async (t) => {
 
 test('pelt view plays each of all clips', async (t) => {
   const shop = workshopOfClips(t);
-  const page = await open(t, await shop.view(t, 'scene.json'));
+  const page = await open(t, shop.view('scene.json'));
   await rowOf(page, 'stand').and(page.locator('[aria-pressed=true]')).waitFor();
   await rowOf(page, 'roll').click();
   await rowOf(page, 'roll').and(page.locator('[aria-pressed=true]')).waitFor();

@@ -616,7 +616,7 @@ test('`pelt view` and a dropped scene leave out what the scene ignores', async (
     assert.equal(await fact(page, 'hash'), answer.hash);
     assert.equal(await number(page, 'ignored'), answer.totals.ignored);
   };
-  const page = await openToCount(t, await shop.view(t, 'scene.json'));
+  const page = await openToCount(t, shop.view('scene.json'));
   await page.locator('.choice button', { hasText: 'whole clip' }).click();
   await agrees(page);
   assert.equal(await report(page).count(), 0);

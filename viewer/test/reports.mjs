@@ -1,9 +1,10 @@
 // Reports as the command writes them, and a scene whose characters have parts.
 
-import { spawn, spawnSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { rocks } from '../../tests/wasm/rocks.mjs';
 
 const command = path.resolve(process.env.PELT_COMMAND);
@@ -58,14 +59,9 @@ export class Workshop {
     writeFileSync(this.at('report.html'), head + PLACE + data + rest.slice(end));
   }
 
-  /** `pelt view`, for the length of a test; returns its address. */
-  async view(test, ...words) {
-    const options = { cwd: this.folder, stdio: ['ignore', 'pipe', 'inherit'] };
-    const server = spawn(command, ['view', '--no-browser', ...words], options);
-    test.after(() => server.kill('SIGINT'));
-    const [line] = await new Promise((resolve) =>
-      server.stdout.once('data', (data) => resolve([data])),
-    );
-    return String(line).split(' ')[0];
+  /** The address of the page of `pelt view`. */
+  view(...words) {
+    this.run('view', '--no-browser', '-o', 'view.html', ...words);
+    return pathToFileURL(this.at('view.html')).href;
   }
 }

@@ -22,7 +22,8 @@ TEST_P(OutputConflict, IsNoInput) {
                   "twice.gltf", "here/a.gltf", "hard.gltf",     "A.GLTF",
                   "a.bin",      "skin a.png",  "Skin A.PNG",    folder / "a.gltf"};
   if (GetParam().reads_scene) inputs.push_back("scene.json");
-  if (GetParam().name.starts_with("check")) inputs.push_back("viewer.html");
+  if (GetParam().name.starts_with("check") || GetParam().name == "view")
+    inputs.push_back("viewer.html");
   const auto before = folder.contents();
   for (const std::string& input : inputs) {
     const Ended run = run_pelt(folder.get(), with(GetParam().words, input));

@@ -41,6 +41,7 @@ inline std::vector<Writer> writers() {
           {"region", {"region", "scene.json", "--sphere", "0,0,0,1", "--jsonl"}},
           {"pose", {"pose", "scene.json", "--frame", "3", "-o"}},
           {"prepare", {"prepare", "a.gltf", "-o"}, false},
+          {"view", {"view", "scene.json", "--no-browser", "-o"}},
           {"bench",
            {"bench", "scene.json", "--frames", "0:1", "--repeat", "1", "--methods", "on_demand",
             "--json"}}};

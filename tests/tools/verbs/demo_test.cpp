@@ -69,14 +69,14 @@ TEST(Demo, WritesItsFilesWithoutARayTracer) {
   EXPECT_EQ(lines_of(check.out)[1], lines[41]);
 }
 
-/// A replacement for POV-Ray, which is slow, that only writes a file.
+/// A replacement for POV-Ray, which is slow, that only prints a word.
 TEST(Demo, CallsTheRayTracer) {
   const TestFolder folder;
   write_text(folder / "povray", R"(#!/bin/sh
 for word; do
   case "$word" in
     +I*) grep -q mesh2 "${word#+I}" || exit 1 ;;
-    +O*) echo picture > "${word#+O}" ;;
+    +O-) echo picture ;;
   esac
 done
 )");
@@ -91,23 +91,18 @@ done
   EXPECT_FALSE(std::filesystem::exists(folder / "a/b/still.pov"));
 }
 
-/// Starts the demo with a replacement for POV-Ray that writes what POV-Ray writes while it renders,
-/// and sleeps in a process of its own, whose number is in the file "sleeping".
+/// Starts the demo, in a process group of its own, with a replacement for POV-Ray that sleeps. The
+/// number of its process is in the file "sleeping".
 pid_t start_with_sleeping_ray_tracer(const TestFolder& folder) {
   write_text(folder / "povray", R"sh(#!/bin/sh
-for word; do
-  case "$word" in
-    +O*) touch "${word#+O}" "$(echo "${word#+O}" | sed 's/png$/pov-state/')" ;;
-  esac
-done
-sleep 100 &
-echo $! > sleeping.new
+echo $$ > sleeping.new
 mv sleeping.new sleeping
-wait
+exec sleep 100
 )sh");
   std::filesystem::permissions(folder / "povray", std::filesystem::perms::owner_all);
   const pid_t child = fork();
   if (child != 0) return child;
+  setpgid(0, 0);
   setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
   if (chdir(folder.path().c_str()) == 0 && freopen("/dev/null", "w", stdout) != nullptr)
     execl(PELT_COMMAND, PELT_COMMAND, "demo", "-o", "demo", nullptr);
@@ -130,6 +125,7 @@ bool is_running(const std::string& process) {
   return file.get() != std::char_traits<char>::eof();
 }
 
+/// A terminal sends its signals to the process group.
 TEST(Demo, EndsTheRayTracerWhenASignalComes) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     const TestFolder folder;
@@ -139,7 +135,7 @@ TEST(Demo, EndsTheRayTracerWhenASignalComes) {
     std::string sleeping = read_text(folder / "sleeping");
     sleeping.pop_back();
     EXPECT_TRUE(becomes([&] { return is_running(sleeping); }));
-    kill(demo, signal);
+    kill(-demo, signal);
     int status = 0;
     waitpid(demo, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status));
@@ -182,14 +178,7 @@ TEST(Demo, ReplacesOnlyADemo) {
 
 TEST(Demo, KeepsTheDescriptionWhereTheRayTracerFails) {
   const TestFolder folder;
-  write_text(folder / "povray", R"sh(#!/bin/sh
-for word; do
-  case "$word" in
-    +O*) touch "$(echo "${word#+O}" | sed 's/png$/pov-state/')" ;;
-  esac
-done
-exit 1
-)sh");
+  write_text(folder / "povray", "#!/bin/sh\necho half a picture\nexit 1\n");
   std::filesystem::permissions(folder / "povray", std::filesystem::perms::owner_all);
   const Ended run =
       run_pelt(folder, {"demo", "-o", "demo"}, folder.path().string() + ":/usr/bin:/bin");
@@ -197,6 +186,7 @@ exit 1
   EXPECT_NE(run.out.find("no picture: POV-Ray failed on demo/still.pov"), std::string::npos);
   const std::set<std::string> names = names_in_path(folder / "demo");
   EXPECT_TRUE(names.contains("still.pov"));
+  EXPECT_FALSE(names.contains("still.png"));
   for (const std::string& name : names) EXPECT_FALSE(name.starts_with(".pelt-")) << name;
 }
 

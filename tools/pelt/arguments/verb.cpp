@@ -1,6 +1,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 
 #include "asset/message.hpp"
+#include "tools/pelt/output/run_program.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -54,23 +55,14 @@ CLI::Validator decimal_number() {
   return CLI::Validator(check, "");
 }
 
-/// Quotes a word for a shell.
-std::string shell_word(const std::string& word) {
-  constexpr const char* kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted(1, '\'');
-  for (const char c : word) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));
-  return quoted.append(1, '\'');
-}
-
 std::string words_of(const CLI::App& verb) {
   std::vector<std::string> arguments, options;
   for (const CLI::Option* option : verb.get_options()) {
     const bool is_flag = option->get_items_expected_max() == 0;
     for (const std::string& result : option->results()) {
       if (option->nonpositional()) options.push_back(option->get_name());
-      if (!is_flag) (option->nonpositional() ? options : arguments).push_back(shell_word(result));
+      if (!is_flag)
+        (option->nonpositional() ? options : arguments).push_back(output::shell_word(result));
     }
   }
   std::string words = verb.get_parent()->get_name() + " " + verb.get_name();

@@ -35,10 +35,6 @@ class OutputFile {
   /// Null if there is no output.
   std::ostream* stream() { return stream_; }
 
-  /// The path of the temporary file, for programs that write it; "" for outputs that are written
-  /// directly.
-  const std::filesystem::path& temporary() const { return temporary_; }
-
   /// Returns an error if anything was lost; the file is then unchanged.
   Result<void> close();
 

@@ -109,25 +109,15 @@ Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
   return {};
 }
 
-/// Runs POV-Ray, which derives a picture's format from the end of its name, and leaves a file
-/// beside the picture unless it succeeds.
-output::ProgramEnd render(const fs::path& description, const fs::path& picture) {
-  const std::vector<std::string> command = {"povray",
-                                            "+I" + description.string(),
-                                            "+O" + picture.string(),
-                                            "+W1280",
-                                            "+H720",
-                                            "+A0.2",
-                                            "+R2",
-                                            "-D",
-                                            "-P",
+/// Runs POV-Ray, which prints the picture, so that it writes no file of its own.
+output::ProgramEnd render(const fs::path& description, std::string& picture) {
+  const std::vector<std::string> command = {"povray", "+I" + description.string(),
+                                            "+O-",    "+FN",
+                                            "+W1280", "+H720",
+                                            "+A0.2",  "+R2",
+                                            "-D",     "-P",
                                             "+Q11"};
-  const fs::path left = fs::path(picture).replace_extension(".pov-state");
-  const output::UnfinishedFile unfinished(left);
-  const output::ProgramEnd end = output::run_program(command);
-  std::error_code ignored;
-  fs::remove(left, ignored);
-  return end;
+  return output::run_program(command, &picture);
 }
 
 /// A missing ray tracer does not fail the demo, which writes everything except the picture.
@@ -146,20 +136,19 @@ void say_why_not(output::ProgramEnd end, const fs::path& description) {
 Result<void> write_picture(const scenes::Scene& scene, const fs::path& folder) {
   const Result<picture::StillFrame> still = picture::take_still(scene, kStillFrame);
   if (!still) return still.error();
-  const fs::path description = folder / kDescription, picture = folder / kPicture;
+  const fs::path description = folder / kDescription, path = folder / kPicture;
   const output::UnfinishedFile unfinished(description);  // unless rendering fails
   if (const auto written = write_text(description, picture::describe_still(*still)); !written)
     return written.error();
-  output::OutputFile file;
-  if (const auto opened = file.open(picture.string()); !opened) return opened.error();
   std::cout << "rendering ..." << std::endl;
-  const output::ProgramEnd end = render(description, file.temporary());
+  std::string picture;
+  const output::ProgramEnd end = render(description, picture);
   if (end != output::ProgramEnd::succeeded) {
     say_why_not(end, description);
     return {};
   }
-  if (const auto closed = file.close(); !closed) return closed.error();
-  output::print_written(picture.string(), std::cout);
+  if (const auto written = write_text(path, picture); !written) return written.error();
+  output::print_written(path.string(), std::cout);
   std::error_code ignored;
   fs::remove(description, ignored);
   return {};
