@@ -7,9 +7,9 @@
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
+#include "tools/pelt/output/process.hpp"
 #include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/output/unfinished_files.hpp"
 
 #include <CLI/CLI.hpp>
 

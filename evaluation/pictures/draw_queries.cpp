@@ -4,8 +4,7 @@
 
 #include "evaluation/pictures/pictures.hpp"
 #include "evaluation/reproduce/picture.hpp"
-#include "tools/pelt/output/run_program.hpp"
-#include "tools/pelt/output/unfinished_files.hpp"
+#include "tools/pelt/output/process.hpp"
 
 #include <algorithm>
 #include <cstdio>

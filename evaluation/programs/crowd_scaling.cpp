@@ -7,7 +7,7 @@
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/unfinished_files.hpp"
+#include "tools/pelt/output/process.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -12,8 +12,8 @@
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/machine.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>

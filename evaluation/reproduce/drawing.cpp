@@ -1,7 +1,7 @@
 #include "evaluation/reproduce/drawing.hpp"
 
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/run_program.hpp"
+#include "tools/pelt/output/process.hpp"
 
 namespace pelt::reproduce {
 

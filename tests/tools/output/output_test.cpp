@@ -1,8 +1,7 @@
 /// A failed write is never reported as a success.
 
-#include "tools/pelt/output/output.hpp"
-
 #include "tools/pelt/output/output_file.hpp"
+
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
 

@@ -5,10 +5,9 @@
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/closest_name.hpp"
-#include "tools/pelt/arguments/memory_limit.hpp"
-#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
+#include "tools/pelt/output/process.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/output/unfinished_files.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -190,7 +189,7 @@ int run(const Program& program, int argc, char** argv) {
 int run_command_line(const Program& program, int argc, char** argv) {
   output::reserve_standard_streams();
   output::remove_unfinished_files_on_signals();
-  limit_memory();
+  output::limit_memory();
   if (!reserve_memory_for_errors()) return refuse_to_start(program);
   try {
     return run(program, argc, argv);

@@ -1,7 +1,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 
 #include "asset/message.hpp"
-#include "tools/pelt/output/run_program.hpp"
+#include "tools/pelt/output/process.hpp"
 
 #include <CLI/CLI.hpp>
 

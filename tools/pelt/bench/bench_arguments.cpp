@@ -7,7 +7,7 @@
 #include "tools/pelt/bench/bench_against.hpp"
 #include "tools/pelt/methods/anytime_methods.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
-#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>

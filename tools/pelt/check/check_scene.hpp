@@ -4,7 +4,7 @@
 /// files and prints the summary. `pelt demo` uses it too.
 
 #include "tools/pelt/check/check_run.hpp"
-#include "tools/pelt/output/output.hpp"
+#include "tools/pelt/output/output_file.hpp"
 
 #include <ostream>
 #include <string>

@@ -7,7 +7,6 @@
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/check/summary_lists.hpp"
 #include "tools/pelt/output/json_text.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"

@@ -1,6 +1,6 @@
 #include "tools/pelt/output/output_file.hpp"
 
-#include "tools/pelt/output/output.hpp"
+#include "asset/printable.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <fcntl.h>
@@ -11,12 +11,36 @@
 #include <cerrno>
 #include <iostream>
 #include <random>
+#include <system_error>
 #include <utility>
 
 namespace pelt::tools::output {
 namespace {
 
 namespace fs = std::filesystem;
+using Kind = OutputPlace::Kind;
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+/// The number of an open descriptor, which links like /dev/stdout refer to.
+std::optional<std::uint32_t> descriptor_at(const fs::path& path) {
+  std::error_code error;
+  std::uint32_t number = 0;
+  if (!fs::equivalent(folder_of(path), "/dev/fd", error) ||
+      !parse_whole(path.filename().string(), number))
+    return std::nullopt;
+  return number;
+}
+
+OutputPlace place_at(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool replaced =
+      !fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status);
+  return {replaced ? Kind::file : Kind::device, path, -1};
+}
 
 /// An unused name in the folder. Has the extension of the file, because programs recognise kinds of
 /// files by it.
@@ -43,6 +67,63 @@ void take_over(int descriptor, const struct stat& known) {
 
 }  // namespace
 
+OutputPlace find_output_place(const std::string& name) {
+  if (name == kStandardOutput) return {Kind::standard_output, {}, STDOUT_FILENO};
+  constexpr int kMaxLinks = 40;
+  fs::path path = name;
+  for (int i = 0; i < kMaxLinks; ++i) {
+    if (const auto number = descriptor_at(path)) {
+      const int descriptor = static_cast<int>(*number);
+      const bool is_output = descriptor == STDOUT_FILENO;
+      return {is_output ? Kind::standard_output : Kind::descriptor, {}, descriptor};
+    }
+    std::error_code error;
+    const fs::path next = fs::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / next;
+  }
+  return place_at(path);
+}
+
+bool is_standard_output(const std::string& name) {
+  return !name.empty() && find_output_place(name).kind == Kind::standard_output;
+}
+
+DescriptorBuffer::~DescriptorBuffer() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void DescriptorBuffer::open(int descriptor) {
+  descriptor_ = descriptor;
+  buffer_.resize(1 << 16);
+  setp(buffer_.data(), buffer_.data() + buffer_.size());
+}
+
+bool DescriptorBuffer::close() {
+  sync();
+  if (::close(std::exchange(descriptor_, -1)) != 0 && error_ == 0) error_ = errno;
+  return error_ == 0;
+}
+
+DescriptorBuffer::int_type DescriptorBuffer::overflow(int_type c) {
+  if (sync() != 0) return traits_type::eof();
+  if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+  return sputc(traits_type::to_char_type(c));
+}
+
+int DescriptorBuffer::sync() {
+  const char* rest = pbase();
+  while (rest < pptr() && error_ == 0) {
+    const ssize_t written = ::write(descriptor_, rest, static_cast<std::size_t>(pptr() - rest));
+    if (written >= 0)
+      rest += written;
+    else if (errno != EINTR)
+      error_ = errno;
+  }
+  setp(buffer_.data(), buffer_.data() + buffer_.size());
+  return error_ == 0 ? 0 : -1;
+}
+
 OutputFile::~OutputFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
@@ -51,51 +132,50 @@ Result<void> OutputFile::open(const std::string& name) {
   name_ = name;
   if (name.empty()) return {};
   const OutputPlace place = find_output_place(name);
-  if (place.kind == OutputPlace::Kind::standard_output) {
+  if (place.kind == Kind::standard_output) {
     stream_ = &std::cout;
     return {};
   }
-  if (!open_place(place)) return failure(errno);
+  const int descriptor = open_place(place);
+  if (descriptor < 0) return unwritable(name, errno);
+  buffer_.open(descriptor);
   stream_ = &file_;
   return {};
 }
 
-bool OutputFile::open_place(const OutputPlace& place) {
-  if (place.kind == OutputPlace::Kind::file) return open_beside(place.path);
-  const int descriptor = place.kind == OutputPlace::Kind::descriptor
-                             ? fcntl(place.descriptor, F_DUPFD_CLOEXEC, 0)
-                             : ::open(place.path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor >= 0) buffer_.open(descriptor);
-  return descriptor >= 0;
+int OutputFile::open_place(const OutputPlace& place) {
+  if (place.kind == Kind::descriptor) return fcntl(place.descriptor, F_DUPFD_CLOEXEC, 0);
+  if (place.kind == Kind::device) return ::open(place.path.c_str(), O_WRONLY | O_CLOEXEC);
+  return open_beside(place.path);
 }
 
-bool OutputFile::open_beside(const fs::path& path) {
+int OutputFile::open_beside(const fs::path& path) {
   struct stat known = {};
   bool is_new = false;
-  if (!is_replaceable(path, known, is_new)) return false;
-  place_ = path;
-  int descriptor = -1;
-  do {
-    temporary_ = temporary_beside(path);
-    unfinished_.emplace(temporary_);
-    descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor < 0 && errno == EEXIST);
+  if (!is_replaceable(path, known, is_new)) return -1;
+  const fs::path temporary = temporary_beside(path);
+  unfinished_.emplace(temporary);
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) {
-    temporary_.clear();
     unfinished_.reset();
-    return false;
+    return -1;
   }
+  place_ = path;
+  temporary_ = temporary;
   if (!is_new) take_over(descriptor, known);
-  buffer_.open(descriptor);
-  return true;
+  return descriptor;
 }
 
 Result<void> OutputFile::close() {
   if (stream_ == nullptr) return {};
   std::ostream& stream = *std::exchange(stream_, nullptr);
   if (&stream == &std::cout) return flush_standard_output();
-  if (!buffer_.close() || !stream) return failure(buffer_.error());
-  return move_into_place() ? Result<void>() : failure(errno);
+  if (!buffer_.close() || !stream) return unwritable(name_, buffer_.error());
+  if (temporary_.empty()) return {};
+  if (rename(temporary_.c_str(), place_.c_str()) != 0) return unwritable(name_, errno);
+  temporary_.clear();
+  unfinished_.reset();
+  return {};
 }
 
 Result<void> OutputFile::write_and_close(std::span<const std::byte> bytes) {
@@ -105,25 +185,37 @@ Result<void> OutputFile::write_and_close(std::span<const std::byte> bytes) {
   return close();
 }
 
-bool OutputFile::move_into_place() {
-  if (temporary_.empty()) return true;
-  if (rename(temporary_.c_str(), place_.c_str()) != 0) return false;
-  temporary_.clear();
-  unfinished_.reset();
-  return true;
-}
-
-Error OutputFile::failure(int error) const { return unwritable(name_, error); }
-
 Result<void> write_file(const std::string& name, std::span<const std::byte> bytes) {
   OutputFile file;
   if (const auto opened = file.open(name); !opened) return opened;
   return file.write_and_close(bytes);
 }
 
+Error unwritable(const std::string& name, int error) {
+  const std::string why = error == 0 ? "" : ": " + std::generic_category().message(error);
+  if (name == kStandardOutput) {
+    return {ErrorCode::unreadable_file, "standard output: cannot be written" + why +
+                                            ": check that it is open and that the disk has space"};
+  }
+  return {ErrorCode::unreadable_file,
+          name + ": cannot be written" + why +
+              ": check that its folder exists and that the disk has space"};
+}
+
+Result<void> flush_standard_output() {
+  std::cout.flush();
+  if (std::cout) return {};
+  return unwritable(kStandardOutput);
+}
+
 std::ostream& words_beside(std::initializer_list<std::string> outputs) {
   const bool taken = std::any_of(outputs.begin(), outputs.end(), is_standard_output);
   return taken ? std::cerr : std::cout;
+}
+
+void print_written(const std::string& name, std::ostream& words) {
+  if (!name.empty() && !is_standard_output(name))
+    words << "wrote " << asset::printable(name) << '\n';
 }
 
 }  // namespace pelt::tools::output

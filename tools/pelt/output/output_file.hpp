@@ -1,10 +1,10 @@
 #pragma once
 
+/// Output files of the command, and messages about unwritable files.
+
 #include <pelt/result.hpp>
 
-#include "tools/pelt/output/descriptor_buffer.hpp"
-#include "tools/pelt/output/output_place.hpp"
-#include "tools/pelt/output/unfinished_files.hpp"
+#include "tools/pelt/output/process.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -12,9 +12,62 @@
 #include <optional>
 #include <ostream>
 #include <span>
+#include <streambuf>
 #include <string>
+#include <vector>
 
 namespace pelt::tools::output {
+
+/// The name of standard output as a file argument.
+inline constexpr const char* kStandardOutput = "-";
+
+/// The destination of an output, with links resolved.
+struct OutputPlace {
+  enum class Kind {
+    standard_output,
+    descriptor,  ///< another inherited descriptor, such as /dev/stderr
+    device,      ///< a device or a pipe, written directly
+    file,        ///< a file to replace or to create
+  };
+
+  Kind kind = Kind::file;
+  std::filesystem::path path;  ///< of a device or a file
+  int descriptor = -1;
+};
+
+/// `name`: as given by the user, a path (which may refer to an open descriptor: /dev/stdout,
+/// /dev/fd/3) or kStandardOutput.
+OutputPlace find_output_place(const std::string& name);
+
+/// Whether `name` refers to standard output.
+bool is_standard_output(const std::string& name);
+
+/// A stream buffer that writes to a file descriptor and stores the first error.
+class DescriptorBuffer : public std::streambuf {
+ public:
+  DescriptorBuffer() = default;
+  DescriptorBuffer(const DescriptorBuffer&) = delete;
+  DescriptorBuffer& operator=(const DescriptorBuffer&) = delete;
+  ~DescriptorBuffer() override;  ///< closes the descriptor; discards buffered bytes
+
+  /// Takes ownership of a descriptor.
+  void open(int descriptor);
+
+  /// Writes the rest and closes the descriptor. Returns false if anything was lost since `open`.
+  bool close();
+
+  /// The errno of the first failure; 0 if there was none.
+  int error() const { return error_; }
+
+ protected:
+  int_type overflow(int_type c) override;
+  int sync() override;
+
+ private:
+  int descriptor_ = -1;
+  int error_ = 0;
+  std::vector<char> buffer_;
+};
 
 /// A file that a verb writes, standard output, or nothing. A file is either complete or unchanged:
 /// the content goes to a temporary file in the same folder, which replaces the file in `close`.
@@ -42,10 +95,8 @@ class OutputFile {
   Result<void> write_and_close(std::span<const std::byte> bytes);
 
  private:
-  bool open_place(const OutputPlace& place);
-  bool open_beside(const std::filesystem::path& path);
-  bool move_into_place();
-  Error failure(int error) const;
+  int open_place(const OutputPlace& place);
+  int open_beside(const std::filesystem::path& path);
 
   std::string name_;
   std::filesystem::path place_, temporary_;  // "": written in place
@@ -58,7 +109,18 @@ class OutputFile {
 /// Opens an output, writes it and closes it.
 Result<void> write_file(const std::string& name, std::span<const std::byte> bytes);
 
+/// The error for an output that cannot be written. `name`: as given by the user, a path or
+/// kStandardOutput. `error`: the errno with the cause, or 0.
+Error unwritable(const std::string& name, int error = 0);
+
+/// Returns an error if any output to std::cout since the start was lost.
+Result<void> flush_standard_output();
+
 /// The stream for summaries: standard error if any of the outputs is standard output.
 std::ostream& words_beside(std::initializer_list<std::string> outputs);
+
+/// Prints the name of a written file. Prints nothing for standard output and for "", which is no
+/// file.
+void print_written(const std::string& name, std::ostream& words);
 
 }  // namespace pelt::tools::output

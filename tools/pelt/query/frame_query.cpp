@@ -1,7 +1,6 @@
 #include "tools/pelt/query/frame_query.hpp"
 
 #include "asset/message.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 

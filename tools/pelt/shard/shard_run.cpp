@@ -5,7 +5,6 @@
 #include "tools/pelt/arguments/simd_argument.hpp"
 #include "tools/pelt/check/ask_frames.hpp"
 #include "tools/pelt/list/list_answer.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"

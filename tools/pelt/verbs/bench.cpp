@@ -12,7 +12,6 @@
 #include "tools/pelt/bench/bench_against.hpp"
 #include "tools/pelt/bench/bench_arguments.hpp"
 #include "tools/pelt/bench/moving_against.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"

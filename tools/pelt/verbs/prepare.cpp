@@ -8,7 +8,6 @@
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"

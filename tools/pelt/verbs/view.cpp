@@ -3,10 +3,9 @@
 #include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/output.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/run_program.hpp"
+#include "tools/pelt/output/process.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
