@@ -1,4 +1,4 @@
-#include "tools/pelt/query/least_distances.hpp"
+#include "tools/pelt/query/pair_list.hpp"
 
 #include <gtest/gtest.h>
 

@@ -152,8 +152,8 @@ void DistanceQuery::set_pair(const PairDistance& pair, ordered_json& entry) cons
   entry["joints"][1] = std::move(b.joint);
 }
 
-void DistanceQuery::print(std::size_t frames, std::ostream& out) const {
-  scene::label(out, "frames") << output::with_commas(frames) << '\n';
+void DistanceQuery::print(const arguments::FrameRange& frames, std::ostream& out) const {
+  scene::label(out, "frames") << output::with_commas(frames.frames().size()) << '\n';
   if (staged_.colliders.size() < 2) {
     scene::print_too_few(staged_.scene, settings_.granularity, out);
     return;

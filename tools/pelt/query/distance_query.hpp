@@ -5,7 +5,6 @@
 #include <pelt/distance.hpp>
 
 #include "tools/pelt/query/frame_query.hpp"
-#include "tools/pelt/query/least_distances.hpp"
 #include "tools/pelt/query/pair_list.hpp"
 #include "tools/pelt/scene/near_pairs.hpp"
 
@@ -46,7 +45,7 @@ class DistanceQuery final : public FrameQuery {
   nlohmann::ordered_json options_json() const override;
   void write_frame(scene::JsonLine& line) const override;
   void write_totals(scene::JsonLine& line) const override;
-  void print(std::size_t frames, std::ostream& words) const override;
+  void print(const arguments::FrameRange& frames, std::ostream& words) const override;
 
  private:
   QueryStats ask_pair(std::span<Pose> poses, std::uint32_t a, std::uint32_t b);

@@ -69,9 +69,9 @@ Result<scene::FrameCosts> ask_frames(const scene::StagedScene& staged,
 }  // namespace
 
 Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::FrameRange& frames,
-                             FrameQuery& query, const QueryOutputs& outputs) {
+                             FrameQuery& query, const std::string& jsonl) {
   output::OutputFile file;
-  if (const auto opened = file.open(outputs.jsonl); !opened) return opened.error();
+  if (const auto opened = file.open(jsonl); !opened) return opened.error();
   QueryLines lines(staged, query, file.stream());
   lines.header(frames);
   const Result<scene::FrameCosts> costs = ask_frames(staged, frames, query, lines);
@@ -79,10 +79,11 @@ Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::
   lines.totals(*costs);
   if (const auto stored = query.status(); !stored) return stored.error();
   if (const auto closed = file.close(); !closed) return closed.error();
-  scene::print_scene(staged, outputs.words);
-  query.print(costs->seconds.size(), outputs.words);
-  scene::print_costs(costs->seconds, costs->work, outputs.words);
-  output::print_written(outputs.jsonl, outputs.words);
+  std::ostream& words = output::words_beside({jsonl});
+  scene::print_scene(staged, words);
+  query.print(frames, words);
+  scene::print_costs(costs->seconds, costs->work, words);
+  output::print_written(jsonl, words);
   return {};
 }
 

@@ -2,7 +2,9 @@
 
 /// Frame loop shared by the verbs that query scenes.
 
+#include "tools/pelt/arguments/exit_code.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
+#include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
@@ -43,20 +45,31 @@ class FrameQuery {
   /// Writes the members of `totals`, except `frames`.
   virtual void write_totals(scene::JsonLine& line) const = 0;
 
-  /// Prints the summary, which stands between the scene's lines and the costs. `frames` is the
-  /// number of frames.
-  virtual void print(std::size_t frames, std::ostream& words) const = 0;
-};
-
-/// Destinations of the results of a query.
-struct QueryOutputs {
-  std::string jsonl;    ///< path, as OutputFile::open expects it
-  std::ostream& words;  ///< the summary
+  /// Prints the summary, which stands between the scene's lines and the costs.
+  virtual void print(const arguments::FrameRange& frames, std::ostream& words) const = 0;
 };
 
 /// Runs `query` through the frames: writes the header, a line per frame and the totals, then prints
 /// the summary. Error messages name the scene, the frame and the instance.
+///
+/// `jsonl`: path for the lines, as OutputFile::open expects it.
 Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::FrameRange& frames,
-                             FrameQuery& query, const QueryOutputs& outputs);
+                             FrameQuery& query, const std::string& jsonl);
+
+/// Opens the scene, makes its colliders, and runs a query of type `Query`, which is made of the
+/// staged scene and `settings`.
+template <typename Query, typename... Settings>
+Result<arguments::ExitCode> run(const scene::QueryArguments& arguments,
+                                scene::Granularity granularity, const Settings&... settings) {
+  const Result<scene::QueryInput> input = scene::open_query(arguments);
+  if (!input) return input.error();
+  const auto colliders = scene::make_colliders(input->scene, granularity, arguments.scene.models);
+  if (!colliders) return colliders.error();
+  const scene::StagedScene staged = {input->scene, *colliders};
+  Query query(staged, settings...);
+  const auto answered = run_frame_query(staged, input->frames, query, arguments.jsonl);
+  if (!answered) return answered.error();
+  return arguments::ExitCode::success;
+}
 
 }  // namespace pelt::tools::query

@@ -1,11 +1,80 @@
 #pragma once
 
-#include "tools/pelt/output/temporary_file.hpp"
-#include "tools/pelt/query/least_distances.hpp"
+/// Lists of the distances of pairs of colliders.
 
+#include <pelt/distance.hpp>
+#include <pelt/result.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace pelt::tools::query {
+
+/// The distance of two colliders a < b in one frame.
+struct PairDistance {
+  std::uint32_t a = 0, b = 0;
+  Distance distance = {};
+  std::uint32_t frame = 0;
+};
+
+/// The closest pairs, each once, with its least distance. Stores at most a fixed number of pairs.
+class LeastDistances {
+ public:
+  /// Stores at most `most` pairs.
+  explicit LeastDistances(std::size_t most) : most_(most) {}
+
+  void clear() { pairs_.clear(); }
+
+  /// Adds a pair. If it was added before with an equal distance, the earlier one stays.
+  void add(const PairDistance& pair);
+
+  /// Whether pairs were left out since the construction because there were too many.
+  bool has_left_out() const { return has_left_out_; }
+
+  /// Sorted by distance, then a, then b.
+  std::span<const PairDistance> pairs() const { return pairs_; }
+
+ private:
+  std::size_t most_;
+  bool has_left_out_ = false;
+  std::vector<PairDistance> pairs_;
+};
+
+/// A file for results that do not fit in memory, in the folder TMPDIR, or /tmp. The file has no
+/// name, so the system frees it when the process ends, whatever ends it. The first `append` creates
+/// the file.
+class TemporaryFile {
+ public:
+  TemporaryFile() = default;
+  TemporaryFile(TemporaryFile&& other) noexcept { *this = std::move(other); }
+  TemporaryFile& operator=(TemporaryFile&& other) noexcept;
+  ~TemporaryFile();
+
+  /// Does nothing after a failure.
+  void append(std::span<const std::byte> bytes);
+
+  /// Copies `bytes.size()` bytes from `offset`. Returns false if this or anything earlier failed.
+  bool read(std::uint64_t offset, std::span<std::byte> bytes) const;
+
+  /// Removes the content.
+  void clear();
+
+  /// Error that names the folder if anything failed.
+  Result<void> status() const;
+
+ private:
+  void open();
+  void fail(int error) const;
+
+  std::filesystem::path folder_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+  mutable int error_ = 0;  // errno of the first failure
+};
 
 /// A list of pairs that is written and read in order. The first pairs are in memory, all others in
 /// a temporary file.
@@ -31,7 +100,7 @@ class PairList {
  private:
   std::size_t most_;
   std::vector<PairDistance> first_;
-  output::TemporaryFile file_;
+  TemporaryFile file_;
   std::size_t in_file_ = 0;         // number of pairs
   std::vector<PairDistance> last_;  // not yet in the file
 };

@@ -5,12 +5,151 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/query/closest_query.hpp"
+#include "tools/pelt/query/distance_query.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
+#include "tools/pelt/scene/summary_lines.hpp"
+#include "tools/pelt/scene/surface_names.hpp"
 #include "tools/pelt/verbs/commands.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <utility>
+#include <vector>
 
 namespace pelt::tools::verbs {
 namespace {
+
+using nlohmann::ordered_json;
+
+/// The closest point of a collider to a given point.
+struct PointOnCollider {
+  std::uint32_t collider = 0;
+  ClosestPoint closest;
+};
+
+/// Closest points on each collider, for each point: in the current frame, and over all frames.
+class ClosestQuery final : public query::FrameQuery {
+ public:
+  ClosestQuery(const scene::StagedScene& staged, std::vector<Vec3> points,
+               const query::DistanceSettings& settings);
+
+  QueryStats ask(std::span<Pose> poses) override;
+  void keep(std::uint32_t frame) override;
+
+  const char* format() const override { return "pelt-distance"; }
+  nlohmann::ordered_json options_json() const override;
+  void write_frame(scene::JsonLine& line) const override;
+  void write_totals(scene::JsonLine& line) const override;
+  void print(const arguments::FrameRange& frames, std::ostream& words) const override;
+
+ private:
+  std::span<const PointOnCollider> of_point(std::size_t point) const;
+  nlohmann::ordered_json point_json(const PointOnCollider& point) const;
+
+  scene::StagedScene staged_;
+  std::vector<Vec3> points_;
+  query::DistanceSettings settings_;
+  Scratch scratch_;
+  std::vector<PointOnCollider> found_;  // [points][colliders]
+  std::vector<ClosestPoint> of_pose_;
+  std::vector<PointOnCollider> least_;  // [points]
+  std::vector<std::uint32_t> least_frame_;
+};
+
+/// Equal distances are not closer, so the first collider wins.
+bool is_closer(const PointOnCollider& a, const PointOnCollider& b) {
+  return a.closest.distance < b.closest.distance;
+}
+
+ClosestQuery::ClosestQuery(const scene::StagedScene& staged, std::vector<Vec3> points,
+                           const query::DistanceSettings& settings)
+    : staged_(staged),
+      points_(std::move(points)),
+      settings_(settings),
+      found_(points_.size() * staged.colliders.size()),
+      of_pose_(points_.size()),
+      least_(points_.size()),
+      least_frame_(points_.size()) {}
+
+QueryStats ClosestQuery::ask(std::span<Pose> poses) {
+  QueryStats work;
+  for (std::uint32_t c = 0; c < poses.size(); ++c) {
+    work += closest_points(poses[c], points_, scratch_, of_pose_, {.max_distance = settings_.within});
+    for (std::size_t p = 0; p < points_.size(); ++p)
+      found_[p * poses.size() + c] = {c, of_pose_[p]};
+  }
+  return work;
+}
+
+/// Results of one point, by collider.
+std::span<const PointOnCollider> ClosestQuery::of_point(std::size_t point) const {
+  const std::size_t colliders = staged_.colliders.size();
+  return std::span(found_).subspan(point * colliders, colliders);
+}
+
+void ClosestQuery::keep(std::uint32_t frame) {
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    for (const PointOnCollider& point : of_point(p))
+      if (is_closer(point, least_[p])) least_[p] = point, least_frame_[p] = frame;
+}
+
+ordered_json ClosestQuery::options_json() const {
+  ordered_json from = ordered_json::array();
+  for (const Vec3& point : points_) from.push_back(scene::vector_json(point));
+  return {{"from", std::move(from)},
+          {"by", settings_.granularity == scene::Granularity::part ? "part" : "instance"},
+          {"within", settings_.within}};  // infinity is written as null
+}
+
+void ClosestQuery::write_frame(scene::JsonLine& line) const {
+  line.begin_list("points");
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    ordered_json closest = ordered_json::array();
+    for (const PointOnCollider& point : of_point(p))
+      if (point.closest) closest.push_back(point_json(point));
+    line.item({{"point", p}, {"closest", std::move(closest)}});
+  }
+  line.end_list();
+}
+
+void ClosestQuery::write_totals(scene::JsonLine& line) const {
+  line.begin_list("least");
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    if (!least_[p].closest) continue;
+    ordered_json entry = point_json(least_[p]);
+    entry["point"] = p;
+    scene::add_frame(staged_.scene, least_frame_[p], entry);
+    line.item(entry);
+  }
+  line.end_list();
+}
+
+ordered_json ClosestQuery::point_json(const PointOnCollider& point) const {
+  const SurfacePoint& on_surface = point.closest.point;
+  const scene::NamedPoint named =
+      scene::name_point(staged_, staged_.colliders[point.collider], on_surface);
+  return {{"index", point.collider},    {"distance", point.closest.distance},
+          {"triangle", named.triangle}, {"position", scene::vector_json(on_surface.position)},
+          {"part", named.part},         {"joint", named.joint}};
+}
+
+void ClosestQuery::print(const arguments::FrameRange& frames, std::ostream& out) const {
+  scene::label(out, "frames") << output::with_commas(frames.frames().size()) << '\n';
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    scene::label(out, ("point " + std::to_string(p)).c_str());
+    const PointOnCollider& least = least_[p];
+    if (!least.closest) {
+      out << "nothing is within that distance\n";
+      continue;
+    }
+    out << "closest in " << scene::frame_words(staged_.scene, least_frame_[p]) << ": "
+        << output::fixed(least.closest.distance, 6) << " from "
+        << scene::place_words(staged_, staged_.colliders[least.collider], least.closest.point)
+        << '\n';
+    scene::label(out, "") << "at" << scene::coordinates(least.closest.point.position) << '\n';
+  }
+}
 
 struct Arguments {
   scene::QueryArguments query;
@@ -49,30 +188,8 @@ Result<std::vector<Vec3>> parse_points(std::span<const std::string> texts) {
   return points;
 }
 
-Result<arguments::ExitCode> run(const scene::StagedScene& staged,
-                                const arguments::FrameRange& frames, query::FrameQuery& query,
-                                const query::QueryOutputs& outputs) {
-  const auto answered = query::run_frame_query(staged, frames, query, outputs);
-  if (!answered) return answered.error();
-  return arguments::ExitCode::success;
-}
-
-/// Runs the query from points if there are any, otherwise between colliders.
-Result<arguments::ExitCode> answer(const scene::StagedScene& staged,
-                                   const std::vector<Vec3>& points,
-                                   const query::DistanceSettings& settings,
-                                   const arguments::FrameRange& frames,
-                                   const query::QueryOutputs& outputs) {
-  if (!points.empty()) {
-    query::ClosestQuery query(staged, points, settings);
-    return run(staged, frames, query, outputs);
-  }
-  using Lists = query::DistanceQuery::Lists;
-  query::DistanceQuery query(staged, settings, outputs.jsonl.empty() ? Lists::closest : Lists::all);
-  return run(staged, frames, query, outputs);
-}
-
-Result<arguments::ExitCode> distance(const Arguments& arguments) {
+/// Distances from points if there are any, otherwise between colliders.
+Result<arguments::ExitCode> run(const Arguments& arguments) {
   query::DistanceSettings settings;
   const Result<scene::Granularity> granularity = scene::choose_granularity(arguments.by);
   if (!granularity) return granularity.error();
@@ -83,15 +200,11 @@ Result<arguments::ExitCode> distance(const Arguments& arguments) {
   settings.rows_listed = arguments.list;
   const Result<std::vector<Vec3>> points = parse_points(arguments.from);
   if (!points) return points.error();
-  const Result<scene::QueryInput> input = scene::open_query(arguments.query);
-  if (!input) return input.error();
-  const auto colliders =
-      scene::make_colliders(input->scene, *granularity, arguments.query.scene.models);
-  if (!colliders) return colliders.error();
-  const scene::StagedScene staged = {input->scene, *colliders};
-  const query::QueryOutputs outputs = {arguments.query.jsonl,
-                                       output::words_beside({arguments.query.jsonl})};
-  return answer(staged, *points, settings, input->frames, outputs);
+  if (!points->empty())
+    return query::run<ClosestQuery>(arguments.query, *granularity, *points, settings);
+  using Lists = query::DistanceQuery::Lists;
+  const Lists lists = arguments.query.jsonl.empty() ? Lists::closest : Lists::all;
+  return query::run<query::DistanceQuery>(arguments.query, *granularity, settings, lists);
 }
 
 }  // namespace
@@ -112,7 +225,7 @@ void add_distance(CLI::App& app, arguments::Command& chosen) {
               {.type = "N", .least = 1, .most = query::DistanceSettings::kMostRows});
   verb.option("--from", arguments->from, "Compute distances from this point instead (repeatable)",
               {.type = "X,Y,Z", .excludes = "--list"});
-  verb.runs([arguments] { return distance(*arguments); }, chosen);
+  verb.runs([arguments] { return run(*arguments); }, chosen);
 }
 
 }  // namespace pelt::tools::verbs
