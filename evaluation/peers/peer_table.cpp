@@ -3,8 +3,8 @@
 
 #include "evaluation/peers/moving_peer_figures.hpp"
 #include "evaluation/peers/peer_figures.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/process.hpp"

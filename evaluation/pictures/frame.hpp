@@ -1,7 +1,7 @@
 #pragma once
 
 #include "evaluation/reproduce/stage.hpp"
-#include "tools/pelt/picture/pov.hpp"
+#include "tools/pelt/picture/still.hpp"
 
 namespace pelt::pictures {
 

@@ -8,7 +8,7 @@
 #include <pelt/height_field.hpp>
 #include <pelt/solid.hpp>
 
-#include "tools/pelt/picture/pov.hpp"
+#include "tools/pelt/picture/still.hpp"
 
 #include <cmath>
 

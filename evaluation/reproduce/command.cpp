@@ -9,7 +9,7 @@
 #include "evaluation/reproduce/real_models.hpp"
 #include "evaluation/reproduce/summary.hpp"
 #include "scenes/closest_name.hpp"
-#include "tools/pelt/arguments/input_files.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/machine.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"

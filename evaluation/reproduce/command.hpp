@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 
 namespace CLI {
 class App;

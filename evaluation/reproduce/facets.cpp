@@ -2,7 +2,7 @@
 
 #include "evaluation/reproduce/stage.hpp"
 #include "evaluation/reproduce/view.hpp"
-#include "tools/pelt/picture/pov.hpp"
+#include "tools/pelt/picture/still.hpp"
 
 #include <algorithm>
 #include <cmath>

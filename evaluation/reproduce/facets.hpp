@@ -3,7 +3,7 @@
 /// Draws characters as their triangles.
 
 #include "base/vec3.hpp"
-#include "tools/pelt/picture/still_frame.hpp"
+#include "tools/pelt/picture/still.hpp"
 
 #include <string>
 

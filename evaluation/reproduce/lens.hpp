@@ -2,8 +2,7 @@
 
 /// A magnifying glass in front of the stage, for details that are too small to see.
 
-#include "tools/pelt/picture/pov.hpp"
-#include "tools/pelt/picture/still_frame.hpp"
+#include "tools/pelt/picture/still.hpp"
 
 namespace pelt::reproduce {
 

@@ -5,7 +5,7 @@
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/reproduce/scene_texts.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/output/text.hpp"
 
 namespace pelt::reproduce {

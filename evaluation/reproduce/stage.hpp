@@ -4,8 +4,7 @@
 /// and colours that colour-blind people can distinguish.
 
 #include "evaluation/reproduce/experiment.hpp"
-#include "tools/pelt/picture/pov.hpp"
-#include "tools/pelt/picture/still_frame.hpp"
+#include "tools/pelt/picture/still.hpp"
 
 namespace pelt::reproduce {
 

@@ -2,7 +2,7 @@
 
 /// Positions as a camera sees them.
 
-#include "tools/pelt/picture/pov.hpp"
+#include "tools/pelt/picture/still.hpp"
 
 namespace pelt::reproduce {
 

@@ -1,4 +1,4 @@
-#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/values.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <pelt/version.hpp>
 
 #include "tools/answer.hpp"
-#include "tools/pelt/page/character_files.hpp"
+#include "tools/pelt/page/page_data.hpp"
 #include "tools/test_scenes.hpp"
 
 #include <algorithm>

@@ -2,11 +2,7 @@
 
 /// Runs a program with verbs, from its arguments to its exit code: `pelt` and `pelt-lab`.
 
-#include "tools/pelt/arguments/exit_code.hpp"
-
-namespace CLI {
-class App;
-}
+#include "tools/pelt/arguments/verb.hpp"
 
 namespace pelt::tools::arguments {
 

@@ -2,14 +2,16 @@
 
 #include "asset/angles.hpp"
 #include "asset/message.hpp"
+#include "asset/referenced_files.hpp"
 #include "scenes/excluded_nodes.hpp"
 #include "scenes/takes.hpp"
-#include "tools/pelt/arguments/position_argument.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace pelt::tools::arguments {
 namespace {
@@ -259,6 +261,26 @@ Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& 
   if (range->end <= scene.frame_count) return range;
   return output::bad_argument("--frames", text + " goes beyond the last frame",
                               scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+}
+
+std::vector<output::InputFile> files_of_model(const std::string& path) {
+  std::vector<output::InputFile> files = {{path, "the model " + path}};
+  for (std::filesystem::path& file : asset::referenced_files(path))
+    files.push_back({std::move(file), "a file of the model " + path});
+  return files;
+}
+
+std::vector<output::InputFile> files_of_scene(const SceneArguments& arguments,
+                                              const scenes::Scene& scene) {
+  std::vector<output::InputFile> files;
+  if (asks_for_scene(arguments))
+    files.push_back({arguments.inputs[0], "the scene " + arguments.inputs[0]});
+  for (const scenes::Character& character : scene.characters) {
+    const auto* path = std::get_if<std::filesystem::path>(&character.origin);
+    if (path == nullptr) continue;
+    for (output::InputFile& file : files_of_model(path->string())) files.push_back(std::move(file));
+  }
+  return files;
 }
 
 }  // namespace pelt::tools::arguments

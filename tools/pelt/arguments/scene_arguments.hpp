@@ -1,11 +1,12 @@
 #pragma once
 
 /// Characters, placements, clips and frames from the command line: a scene file, or models with
-/// options.
+/// options; and the files that a verb reads, which no output may replace.
 
 #include "scenes/scene.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
+#include "tools/pelt/arguments/values.hpp"
+#include "tools/pelt/output/output_conflicts.hpp"
 
 #include <optional>
 #include <string>
@@ -40,5 +41,12 @@ Result<scenes::Scene> open_scene(const SceneArguments& arguments);
 /// several frames would all be equal.
 Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& arguments,
                                  scenes::Scene& scene);
+
+/// A model, and the buffers and images that it refers to, whether or not Pelt reads them.
+std::vector<output::InputFile> files_of_model(const std::string& path);
+
+/// The models of the scene, and its file if it has one.
+std::vector<output::InputFile> files_of_scene(const SceneArguments& arguments,
+                                              const scenes::Scene& scene);
 
 }  // namespace pelt::tools::arguments

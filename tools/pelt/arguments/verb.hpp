@@ -3,9 +3,10 @@
 /// The command line of one verb. Hides CLI11 from the verbs: each file that includes CLI11 takes
 /// ten seconds more to compile, and twenty with sanitizers.
 
-#include "tools/pelt/arguments/exit_code.hpp"
+#include <pelt/result.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace CLI {
@@ -13,6 +14,17 @@ class App;
 }
 
 namespace pelt::tools::arguments {
+
+/// Exit codes of the command.
+enum class ExitCode : int {
+  success = 0,  ///< for `check`: nothing that --fail-on selects
+  contact = 1,  ///< only for `check`: what --fail-on selects
+  bad_input = 2,
+  internal = 3,
+};
+
+/// A verb with its arguments, ready to run.
+using Command = std::function<Result<ExitCode>()>;
 
 /// Syntax of an option, and its form in --help.
 struct OptionSyntax {

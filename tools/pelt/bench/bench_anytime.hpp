@@ -3,9 +3,9 @@
 /// Runs `pelt bench --anytime` on scenes: builds models, compares the contacts of all complete
 /// searches with those of `collide`, and measures what is known before the end.
 
-#include "tools/pelt/arguments/exit_code.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
+#include "tools/pelt/arguments/values.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/anytime_figures.hpp"
 
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "asset/message.hpp"
 #include "scenes/closest_name.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_against.hpp"
 #include "tools/pelt/methods/anytime_methods.hpp"

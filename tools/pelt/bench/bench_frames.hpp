@@ -5,7 +5,7 @@
 #include <pelt/result.hpp>
 
 #include "scenes/scene.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/values.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -3,9 +3,9 @@
 /// Runs `pelt bench --moving` on scenes: builds models, compares the answers of all methods with
 /// those of brute force, and measures them.
 
-#include "tools/pelt/arguments/exit_code.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
+#include "tools/pelt/arguments/values.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/moving_report.hpp"
 
 #include <optional>

@@ -3,8 +3,8 @@
 /// Runs `pelt bench` on scenes: builds models, compares the answers of all methods, and measures
 /// them.
 
-#include "tools/pelt/arguments/exit_code.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/values.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_report.hpp"
 
 #include <optional>

@@ -5,7 +5,7 @@
 #include "scenes/closest_name.hpp"
 #include "scenes/ignored_pairs.hpp"
 #include "scenes/names.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"

@@ -1,7 +1,7 @@
 #include "tools/pelt/check/check_command.hpp"
 
-#include "tools/pelt/arguments/input_files.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/check/check_scene.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"

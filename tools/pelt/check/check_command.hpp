@@ -3,7 +3,7 @@
 /// `pelt check` after its arguments are parsed, from the inputs to the exit code. `pelt merge` is
 /// the same with frames from shards.
 
-#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_arguments.hpp"
 #include "tools/pelt/check/check_run.hpp"
 

@@ -3,7 +3,7 @@
 /// Everything that the answer of a check depends on, except for the scene's instances.
 
 #include "scenes/scene.hpp"
-#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/check/self_arguments.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -4,7 +4,7 @@
 
 #include "asset/printable.hpp"
 #include "base/hash.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/check/summary_lists.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/output_file.hpp"

@@ -2,7 +2,7 @@
 
 /// The answer for a list of scenes: a line, the answers of all scenes in order, and the totals.
 
-#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/list/list_query.hpp"
 
 #include <cstddef>

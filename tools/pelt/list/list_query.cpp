@@ -3,7 +3,7 @@
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "base/workers.hpp"
-#include "tools/pelt/arguments/input_files.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/check/check_command.hpp"
 #include "tools/pelt/check/check_scene.hpp"
 #include "tools/pelt/check/ordered_work.hpp"

@@ -1,10 +1,11 @@
 #pragma once
 
-/// The viewer: an HTML file with engine and page, into which the data of a scene can be inserted.
+/// The viewer's page, and copies of it that show a scene.
 
 #include "tools/pelt/page/page_data.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace pelt::tools::page {

@@ -18,4 +18,9 @@ Result<SkinnedModel> load_named_model(const std::string& name, std::span<const s
 /// Whether the file exists and starts like a prepared model.
 bool is_prepared_file(const std::filesystem::path& path);
 
+enum class InfoStyle { text, json };
+
+/// Prints the contents of a prepared model to standard output.
+Result<void> print_prepared_info(const std::string& path, InfoStyle style);
+
 }  // namespace pelt::tools::prepared

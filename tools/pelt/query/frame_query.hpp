@@ -2,7 +2,7 @@
 
 /// Frame loop shared by the verbs that query scenes.
 
-#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"

@@ -1,8 +1,8 @@
 #include "tools/pelt/scene/query_arguments.hpp"
 
 #include "asset/message.hpp"
-#include "tools/pelt/arguments/input_files.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <utility>

@@ -5,7 +5,7 @@
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 
-#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 

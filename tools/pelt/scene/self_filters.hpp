@@ -4,7 +4,7 @@
 
 #include <pelt/self_filter.hpp>
 
-#include "tools/pelt/arguments/frame_range.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "tools/pelt/shard/shard_run.hpp"
 
 #include "asset/message.hpp"
-#include "tools/pelt/arguments/input_files.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/check/ask_frames.hpp"
 #include "tools/pelt/list/list_answer.hpp"
 #include "tools/pelt/output/output_file.hpp"

@@ -2,7 +2,7 @@
 
 /// `pelt check --shard`.
 
-#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_arguments.hpp"
 
 namespace pelt::tools::shard {

@@ -3,9 +3,8 @@
 /// methods give the same answer.
 
 #include "asset/printable.hpp"
-#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
-#include "tools/pelt/arguments/simd_argument.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/anytime_chart.hpp"
 #include "tools/pelt/bench/anytime_report.hpp"

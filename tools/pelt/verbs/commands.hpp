@@ -4,13 +4,9 @@
 /// the command line names the verb, sets `chosen` to its command. `check`, `merge` and `bench` get
 /// the methods of the program.
 
-#include "tools/pelt/arguments/exit_code.hpp"
+#include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_methods.hpp"
 #include "tools/pelt/methods/method.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace pelt::tools::verbs {
 

@@ -1,7 +1,7 @@
 /// `pelt distance`: the distances of characters, frame by frame.
 
 #include "asset/message.hpp"
-#include "tools/pelt/arguments/position_argument.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"

@@ -5,14 +5,13 @@
 #include "scenes/clip_samples.hpp"
 #include "scenes/names.hpp"
 #include "scenes/scene.hpp"
-#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
+#include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"
-#include "tools/pelt/prepared/prepared_info.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 #include <nlohmann/json.hpp>

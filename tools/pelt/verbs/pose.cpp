@@ -1,6 +1,5 @@
 /// `pelt pose`: writes the characters of one frame, as queries pose them, to a .glb file.
 
-#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"

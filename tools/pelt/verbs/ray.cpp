@@ -5,7 +5,7 @@
 #include "asset/message.hpp"
 #include "asset/printable.hpp"
 #include "scenes/names.hpp"
-#include "tools/pelt/arguments/position_argument.hpp"
+#include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/text.hpp"

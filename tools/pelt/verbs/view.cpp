@@ -1,6 +1,5 @@
 /// `pelt view`: writes a page of a scene and opens it in a browser.
 
-#include "tools/pelt/arguments/input_files.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
