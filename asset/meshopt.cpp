@@ -1,13 +1,12 @@
 #include "asset/meshopt.hpp"
+
 #include "asset/little_endian.hpp"
-#include "asset/meshopt_decoder.hpp"
 #include "asset/message.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace pelt::asset {
-
 namespace {
 
 /// Checks the preconditions of the decoder, which it asserts.

@@ -1,4 +1,4 @@
-#include "asset/meshopt_decoder.hpp"
+#include "asset/meshopt.hpp"
 #include "asset/message.hpp"
 
 #include <meshoptimizer.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+/// The nodes of a file, and which of them are read.
+
 #include "asset/document.hpp"
 
 namespace pelt::asset {
@@ -18,5 +20,11 @@ Result<NodeGraph> order_nodes(const GltfDocument& document);
 
 /// `node 12 "Hips"`.
 std::string node_label(const GltfDocument& document, std::uint32_t node);
+
+/// Returns the nodes of the scene whose meshes to read, in scene order (the document's numbers).
+/// Returns an error for a name to exclude that no node has, if it must exist.
+Result<std::vector<std::uint32_t>> choose_mesh_nodes(const GltfDocument& document,
+                                                     const NodeGraph& graph,
+                                                     const GltfOptions& options);
 
 }  // namespace pelt::asset

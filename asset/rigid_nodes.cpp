@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace pelt::asset {
 namespace {
+
+using Bodies = std::vector<std::optional<std::uint16_t>>;
 
 /// Exporters write keys for all joints. Those of joints that nobody has moved differ from the
 /// default pose by rounding errors and by the tolerance of inverse kinematics: less than half a
@@ -63,6 +66,14 @@ std::vector<bool> moved_nodes(const Asset& asset) {
   return moved;
 }
 
+/// The body of each node's joints, by the highest node that they never move against.
+Bodies bodies_of_nodes(const Asset& asset, const std::vector<std::uint32_t>& highest) {
+  Bodies bodies(asset.nodes.size());
+  for (std::size_t j = asset.joints.size(); j-- > 0;)
+    bodies[highest[asset.joints[j].node]] = static_cast<std::uint16_t>(j);
+  return bodies;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> rigid_nodes(const Asset& asset) {
@@ -75,6 +86,21 @@ std::vector<std::uint32_t> rigid_nodes(const Asset& asset) {
     highest[node] = is_own ? node : highest[parent];
   }
   return highest;
+}
+
+JointBodies joint_bodies(const Asset& asset) {
+  const std::vector<std::uint32_t> highest = rigid_nodes(asset);
+  const Bodies bodies = bodies_of_nodes(asset, highest);
+  JointBodies result;
+  result.of_joints.reserve(asset.joints.size());
+  result.above.reserve(asset.joints.size());
+  for (const Joint& joint : asset.joints) {
+    result.of_joints.push_back(*bodies[highest[joint.node]]);
+    std::uint32_t node = asset.nodes[highest[joint.node]].parent;
+    while (node != kNoParent && !bodies[highest[node]]) node = asset.nodes[highest[node]].parent;
+    result.above.push_back(node == kNoParent ? kNoJoint : *bodies[highest[node]]);
+  }
+  return result;
 }
 
 }  // namespace pelt::asset

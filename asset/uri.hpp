@@ -1,6 +1,6 @@
 #pragma once
 
-/// Resolves a `uri` of a glTF file: embedded bytes, or a file beside the glTF file.
+/// URIs, and the files that a model refers to by them.
 
 #include <pelt/result.hpp>
 
@@ -25,5 +25,10 @@ std::optional<std::filesystem::path> relative_file(std::string_view uri);
 /// else: other schemes, absolute paths, `..`, and links that leave the folder.
 Result<std::filesystem::path> resolve_file_uri(std::string_view uri,
                                                const std::filesystem::path& folder);
+
+/// The files that the file at `path` refers to by a `uri`: buffers and images, whether or not Pelt
+/// reads them, and whether or not they exist. Empty if the file is not a glTF file. Of a .glb file,
+/// reads only the JSON text.
+std::vector<std::filesystem::path> referenced_files(const std::filesystem::path& path);
 
 }  // namespace pelt::asset

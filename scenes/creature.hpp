@@ -1,13 +1,35 @@
 #pragma once
 
-/// The generated character: a smooth, closed, walking biped. Pelt ships no model files. The same
-/// options give the same bits on every platform.
+/// Generated characters: a smooth, closed, walking biped, and the head of one as a bust with morph
+/// targets. Pelt ships no model files. The same options give the same bits on every platform.
 
 #include <pelt/asset.hpp>
 
 #include <cstdint>
+#include <string>
 
 namespace pelt::scenes {
+
+/// "creature: triangles is 3, expected 1000 to 1000000", or nothing if `value` is in the range.
+inline std::string check_range(const char* what, const char* name, std::uint32_t value,
+                               std::uint32_t low, std::uint32_t high) {
+  if (value >= low && value <= high) return {};
+  return std::string(what) + ": " + name + " is " + std::to_string(value) + ", expected " +
+         std::to_string(low) + " to " + std::to_string(high);
+}
+
+struct FaceOptions {
+  std::uint32_t triangles = 4000;  ///< 1,000 to 200,000; odd numbers are rounded down
+  std::uint32_t seed = 1;          ///< proportions, those of the creature with this seed
+};
+
+/// Generates a face, y up, facing +z, with the neck on y = 0. It is one closed surface with exactly
+/// the given number of triangles, 7 joints, and the morph targets "jaw_open", "smile", "blink_l",
+/// "blink_r", "brows_up" and "cheeks_puffed", each of which displaces a part of the vertices. The
+/// looping clip "talk" animates joints and weights; all weights are zero at some times.
+/// Deterministic like the creature. Returns an error for options out of range. O(T log T) for T
+/// triangles.
+Result<asset::Asset> make_face(const FaceOptions& options = {});
 
 struct CreatureOptions {
   std::uint32_t triangles = 13590;  ///< 1,000 to 1,000,000; odd numbers are rounded down

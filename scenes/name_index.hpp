@@ -1,5 +1,7 @@
 #pragma once
 
+/// Names of a scene that patterns select.
+
 #include "scenes/scene.hpp"
 
 #include <cstddef>
@@ -10,6 +12,10 @@
 #include <vector>
 
 namespace pelt::scenes {
+
+/// Whether `text` matches `pattern`, in which a `*` matches any number of characters. O(length of
+/// `text` times length of `pattern`) in the worst case.
+bool matches(std::string_view pattern, std::string_view text);
 
 /// The names of a character's parts and joints, sorted, to find those that match a pattern.
 class NameIndex {

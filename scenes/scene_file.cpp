@@ -3,7 +3,6 @@
 #include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "scenes/closest_name.hpp"
-#include "scenes/scene_keys.hpp"
 #include "scenes/strict_object.hpp"
 #include "scenes/takes.hpp"
 

@@ -4,12 +4,26 @@
 
 #include "scenes/scene.hpp"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 namespace pelt::scenes {
+
+/// Keys of the scene format, object by object, as documented in docs/scene.schema.json.
+inline constexpr std::array<std::string_view, 10> kSceneKeys = {
+    "$schema", "models",     "frames",       "instances",   "ignore",
+    "self",    "self_rings", "self_at_rest", "self_always", "self_near_joints"};
+inline constexpr std::array<std::string_view, 2> kFramesKeys = {"count", "fps"};
+inline constexpr std::array<std::string_view, 4> kModelKeys = {"file", "creature", "face",
+                                                               "skinning"};
+inline constexpr std::array<std::string_view, 3> kCreatureKeys = {"triangles", "joints", "seed"};
+inline constexpr std::array<std::string_view, 2> kFaceKeys = {"triangles", "seed"};
+inline constexpr std::array<std::string_view, 9> kInstanceKeys = {
+    "model",    "clip",  "start",    "speed",        "translation",
+    "rotation", "scale", "velocity", "morph_weights"};
 
 struct SceneFile {
   struct Model {

@@ -5,7 +5,7 @@
 #include "evaluation/pictures/marks.hpp"
 #include "evaluation/pictures/pictures.hpp"
 #include "scenes/creature.hpp"
-#include "scenes/twisted_arm.hpp"
+#include "scenes/demo.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "scenes/creature/expressions.hpp"
 
-#include "asset/quaternion.hpp"
+#include "asset/transform.hpp"
 
 #include <algorithm>
 #include <limits>

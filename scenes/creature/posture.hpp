@@ -1,6 +1,6 @@
 #pragma once
 
-#include "asset/quaternion.hpp"
+#include "asset/transform.hpp"
 #include "scenes/creature/body_plan.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "scenes/creature/talk.hpp"
 
-#include "asset/quaternion.hpp"
+#include "asset/transform.hpp"
 #include "scenes/creature/expressions.hpp"
 
 #include <algorithm>

@@ -1,6 +1,4 @@
-#include "asset/angles.hpp"
-
-#include "asset/quaternion.hpp"
+#include "asset/transform.hpp"
 
 #include <gtest/gtest.h>
 

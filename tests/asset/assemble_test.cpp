@@ -1,6 +1,6 @@
-#include "asset/assemble.hpp"
+#include "asset/read_gltf.hpp"
 
-#include "asset/affine.hpp"
+#include "asset/transform.hpp"
 
 #include <gtest/gtest.h>
 

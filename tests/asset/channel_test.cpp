@@ -1,4 +1,4 @@
-#include "asset/channel.hpp"
+#include "asset/clip.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "bounds/box_of_triangles.hpp"
 #include "distance/brute_distance.hpp"
 #include "ray/ray_oracle.hpp"
-#include "scenes/face.hpp"
+#include "scenes/creature.hpp"
 #include "solid/region_oracle.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/values.hpp"

@@ -1,6 +1,6 @@
 /// Allocation failures while a scene file and the files of its models are read.
 
-#include "asset/referenced_files.hpp"
+#include "asset/uri.hpp"
 #include "scenes/scene_file.hpp"
 #include "support/failing_allocation.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "collide/contacts_of.hpp"
 #include "scenes/creature.hpp"
-#include "scenes/twisted_arm.hpp"
+#include "scenes/demo.hpp"
 #include "self/self_brute_force.hpp"
 #include "support/dual_shapes.hpp"
 #include "support/instruction_sets.hpp"

@@ -1,10 +1,9 @@
-#include "scenes/face.hpp"
+#include "scenes/creature.hpp"
 
 #include <pelt/pelt.hpp>
 
 #include "base/hash.hpp"
 #include "scenes/character_glb.hpp"
-#include "scenes/creature.hpp"
 
 #include <gtest/gtest.h>
 

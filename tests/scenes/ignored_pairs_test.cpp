@@ -1,6 +1,6 @@
 #include "scenes/ignored_pairs.hpp"
 
-#include "scenes/name_pattern.hpp"
+#include "scenes/name_index.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "scenes/name_pattern.hpp"
+#include "scenes/name_index.hpp"
 
 #include <gtest/gtest.h>
 

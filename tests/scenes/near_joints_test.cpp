@@ -1,4 +1,4 @@
-#include "scenes/near_joints.hpp"
+#include "scenes/triangle_labels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
 #include "scenes/scene_file.hpp"
 
-#include "scenes/scene_keys.hpp"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

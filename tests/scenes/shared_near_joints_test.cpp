@@ -1,7 +1,6 @@
 /// The near joints of a real character leave out the creases of its clips, but not an upper arm
 /// that is turned into the ribs.
 
-#include "scenes/near_joints.hpp"
 #include "scenes/triangle_labels.hpp"
 
 #include <pelt/pelt.hpp>

@@ -1,4 +1,4 @@
-#include "scenes/sword.hpp"
+#include "scenes/demo.hpp"
 
 #include <pelt/pelt.hpp>
 

@@ -1,7 +1,7 @@
 /// A twisted forearm collapses with linear blend skinning, like the wrapper of a sweet, but not
 /// with dual quaternions.
 
-#include "scenes/twisted_arm.hpp"
+#include "scenes/demo.hpp"
 
 #include "base/vec3.hpp"
 #include "scenes/creature.hpp"

@@ -1,6 +1,6 @@
 #include "self/joint_zones.hpp"
 
-#include "scenes/near_joints.hpp"
+#include "scenes/triangle_labels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 #include <pelt/self_filter.hpp>
 
 #include "scenes/creature.hpp"
-#include "scenes/near_joints.hpp"
 #include "scenes/triangle_labels.hpp"
 #include "support/skinned_shapes.hpp"
 

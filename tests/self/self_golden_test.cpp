@@ -5,7 +5,6 @@
 
 #include "base/hash.hpp"
 #include "scenes/creature.hpp"
-#include "scenes/face.hpp"
 #include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 /// write_face FILE: a generated face, with its morph targets and the clip that moves them, as .glb.
 
 #include "scenes/character_glb.hpp"
-#include "scenes/face.hpp"
+#include "scenes/creature.hpp"
 
 #include <fstream>
 

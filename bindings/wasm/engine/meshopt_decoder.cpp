@@ -1,6 +1,6 @@
 /// Calls the decoder of EXT_meshopt_compression that was passed in from JavaScript.
 
-#include "asset/meshopt_decoder.hpp"
+#include "asset/meshopt.hpp"
 
 #include "asset/message.hpp"
 

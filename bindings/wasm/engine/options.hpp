@@ -4,7 +4,7 @@
 /// it, so all keys are known and have the right types.
 
 #include "bindings/wasm/engine/handles.hpp"
-#include "scenes/face.hpp"
+#include "scenes/creature.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,7 @@
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/options.hpp"
 #include "scenes/clip_samples.hpp"
-#include "scenes/demo_scene.hpp"
+#include "scenes/demo.hpp"
 #include "scenes/ignored_pairs.hpp"
 #include "scenes/takes.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
-#include "scenes/near_joints.hpp"
 #include "scenes/triangle_labels.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "tools/pelt/arguments/region_arguments.hpp"
 
-#include "asset/angles.hpp"
 #include "asset/message.hpp"
+#include "asset/transform.hpp"
 #include "base/vec3.hpp"
 #include "tools/pelt/output/text.hpp"
 

@@ -1,8 +1,8 @@
 #include "tools/pelt/arguments/scene_arguments.hpp"
 
-#include "asset/angles.hpp"
 #include "asset/message.hpp"
-#include "asset/referenced_files.hpp"
+#include "asset/transform.hpp"
+#include "asset/uri.hpp"
 #include "scenes/excluded_nodes.hpp"
 #include "scenes/takes.hpp"
 #include "tools/pelt/arguments/values.hpp"

@@ -3,7 +3,6 @@
 /// Options of `pelt check` for contacts of characters with themselves.
 
 #include "scenes/scene.hpp"
-#include "scenes/self_options.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/scene/colliders.hpp"
 #include "tools/pelt/scene/self_filters.hpp"

@@ -1,7 +1,7 @@
 #include "tools/pelt/scene/character_filters.hpp"
 
 #include "asset/message.hpp"
-#include "scenes/near_joints.hpp"
+#include "scenes/triangle_labels.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Channels of clips and their interpolation.
+
 #include <pelt/asset.hpp>
 
 #include <array>

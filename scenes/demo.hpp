@@ -1,6 +1,11 @@
 #pragma once
 
+/// Scenes and models of `pelt demo`, and others that are made by code.
+
+#include <pelt/asset.hpp>
+
 #include <string_view>
+#include <vector>
 
 namespace pelt::scenes {
 
@@ -33,5 +38,14 @@ inline constexpr std::string_view kSwordScene = R"({
   ]
 }
 )";
+
+/// Generates a sword of 26 triangles, 0.9 units long, along -x from its joint "grip" at the origin.
+/// The clip "swing" (0.4 s) turns it around y by 180 degrees within 1/6 s, from +z to -z.
+asset::Asset make_sword();
+
+/// Returns the palette of a creature in its rest pose, with the left forearm and the hand turned
+/// about the axis of the forearm by this fraction of a turn. Precondition: `creature` is the result
+/// of make_creature.
+std::vector<Matrix4> twisted_arm(const asset::Asset& creature, double turns);
 
 }  // namespace pelt::scenes
