@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Parses all files of the library with -fno-exceptions -fno-rtti -Werror.
+"""Compiles all files of the library with -fno-exceptions -fno-rtti -Werror.
 
     no_exceptions.py COMPILE_COMMANDS SOURCE_FOLDER BINARY_FOLDER
 
-The files and their other flags are those of the build. Of the files that are compiled once for each
-instruction set, only those for the last set are parsed.
+The files and their other flags are those of the build, but nothing is optimised. Of the files that are
+compiled once for each instruction set, only those for the last set are compiled.
 """
 
 import concurrent.futures
@@ -13,10 +13,12 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 
-FLAGS = ["-fsyntax-only", "-fno-exceptions", "-fno-rtti", "-Werror"]
+FLAGS = ["-O0", "-fno-exceptions", "-fno-rtti", "-Werror"]
 
 
 def commands_of(database, folders):
@@ -46,19 +48,21 @@ def without(words, *dropped):
     return words
 
 
-def parse(folder, words):
+def compile_one(folder, words):
     """The messages of the compiler, empty if there are none."""
     words = without(words, "-o")
     words = without(words, "-Xclang", "-include-pch", "-Xclang")  # made with exceptions
-    words.remove("-c")
-    run = subprocess.run([*words, *FLAGS], cwd=folder, capture_output=True, text=True)
+    launcher = ["ccache"] if shutil.which("ccache") else []
+    with tempfile.TemporaryDirectory() as scratch:
+        run = subprocess.run([*launcher, *words, *FLAGS, "-o", f"{scratch}/object.o"], cwd=folder,
+                             capture_output=True, text=True, check=False)
     return run.stdout + run.stderr + ("" if run.returncode == 0 else f"exit code {run.returncode}\n")
 
 
 def main(database, *folders):
     commands = for_one_set(commands_of(database, folders))
     with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count())) as pool:
-        messages = list(pool.map(lambda command: parse(*command), commands.values()))
+        messages = list(pool.map(lambda command: compile_one(*command), commands.values()))
     print(*filter(None, messages), f"{len(messages)} files", sep="\n")
     return 1 if any(messages) or len(messages) < 20 else 0
 

@@ -46,8 +46,9 @@ class Reproduce(unittest.TestCase):
     def test_installs_and_builds_first(self):
         _, printed, ran = self.run_script()
         self.assertEqual(ran[:ran.index("pelt-lab")],
-                         ["install-deps", "reproduce", "cmake", "--preset", "release", "cmake",
-                          "--build", "--preset", "release", "--target", "pelt_lab"])
+                         ["install-deps", "reproduce", "cmake", "--preset", "release",
+                          "-DPELT_BUILD_EVALUATION=ON", "cmake", "--build", "--preset", "release",
+                          "--target", "pelt_lab"])
         self.assertEqual(printed, f"look at {self.folder}/pelt-reproduce/report.html\n")
 
     def test_takes_all_experiments_unless_told(self):

@@ -34,8 +34,17 @@ class SummariseTests(unittest.TestCase):
     def test_reports_are_added_up(self):
         status, lines = self.summarise(PASSED + PASSED, PASSED)
         self.assertEqual(status, 0)
-        self.assertEqual(lines, ["3 passed, 0 failed, 0 skipped",
-                                 "scripts/test: 3 passed, 0 failed, 0 skipped"])
+        self.assertEqual(lines[-2:], ["3 passed, 0 failed, 0 skipped",
+                                      "scripts/test: 3 passed, 0 failed, 0 skipped"])
+
+    def test_the_ten_slowest_are_named(self):
+        cases = [f'<testcase name="t{i:02}" status="run" time="{i}.25"/>' for i in range(12)]
+        _, lines = self.summarise("".join(cases[:6]), "".join(cases[6:]))
+        at = lines.index("slowest tests:") + 1
+        self.assertEqual([line.split()[2] for line in lines[at:at + 10]],
+                         [f"t{i:02}" for i in range(11, 1, -1)])
+        self.assertIn(" 11.2 s  t11 (", lines[at])
+        self.assertEqual(lines[at + 10], "12 passed, 0 failed, 0 skipped")
 
     def test_skipped_tests_say_why(self):
         status, lines = self.summarise(PASSED + GTEST_SKIPPED + GTEST_SKIPPED +
@@ -47,9 +56,9 @@ class SummariseTests(unittest.TestCase):
     def test_failed_and_lost_tests_are_named_and_fail(self):
         status, lines = self.summarise(PASSED + FAILED + LOST)
         self.assertEqual(status, 1)
-        self.assertIn("failed: bad", lines[0])
-        self.assertIn("failed: lost", lines[1])
-        self.assertEqual(lines[2], "1 passed, 2 failed, 0 skipped")
+        self.assertIn("failed: bad", lines[-4])
+        self.assertIn("failed: lost", lines[-3])
+        self.assertEqual(lines[-2], "1 passed, 2 failed, 0 skipped")
 
     def test_nothing_passed_fails(self):
         self.assertEqual(self.summarise("")[0], 1)
