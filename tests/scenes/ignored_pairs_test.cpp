@@ -1,11 +1,17 @@
 #include "scenes/ignored_pairs.hpp"
 
+#include "model/surface.hpp"
+#include "scenes/creature.hpp"
+#include "scenes/excluded_nodes.hpp"
 #include "scenes/name_index.hpp"
+#include "scenes/triangle_labels.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <set>
 
 namespace pelt::scenes {
 namespace {
@@ -195,6 +201,111 @@ TEST(CheckNames, RefusesAnUnknownNameInTimeLinearInNames) {
   ASSERT_FALSE(checked);
   EXPECT_NE(checked.error().message.find("no part and no joint is named \"x\""), std::string::npos)
       << checked.error().message;
+}
+
+using Names = std::vector<std::string>;
+
+/// A file with one mesh node; if `part` is empty, the mesh has no name.
+Character file(const std::string& name, const std::string& node, const std::string& part) {
+  Character character;
+  character.name = name;
+  character.asset.nodes.resize(1);
+  character.asset.nodes[0].name = node;
+  character.asset.parts.resize(1);
+  character.asset.parts[0].node = part;
+  return character;
+}
+
+Scene knight_and_thief() {
+  Scene scene;
+  scene.characters.push_back(file("knight", "Cape", "Body"));
+  scene.characters.push_back(file("thief", "Hood", "Body"));
+  return scene;
+}
+
+asset::GltfOptions excluding(const Names& names) {
+  asset::GltfOptions options;
+  options.exclude_nodes = names;
+  return options;
+}
+
+std::string refusal(const Scene& scene, const Names& names) {
+  const Result<void> checked = check_excluded(scene, excluding(names));
+  return checked ? "" : checked.error().message;
+}
+
+TEST(ExcludedNodes, AreOfAllModelsOrOfTheOneThatTheirNamesBeginWith) {
+  const asset::GltfOptions all = excluding({"Cape", "knight/Belt", "thief/Belt"});
+  const asset::GltfOptions knight = options_for("knight", all);
+  EXPECT_EQ(knight.exclude_nodes, (Names{"Cape", "Belt", "thief/Belt"}));
+  EXPECT_FALSE(knight.excluded_must_exist);
+}
+
+TEST(ExcludedNodes, NeedToBeInOneModelOnly) {
+  EXPECT_EQ(refusal(knight_and_thief(), {"Cape", "Hood", "thief/Hood"}), "");
+}
+
+TEST(ExcludedNodes, AreRefusedWhereNoFileHasThem) {
+  EXPECT_EQ(refusal(knight_and_thief(), {"Cape", "Bdoy"}),
+            "no node to exclude is named \"Bdoy\", did you mean \"Body\"?");
+  EXPECT_EQ(refusal(knight_and_thief(), {"thief/Cape"}),
+            "no node to exclude is named \"thief/Cape\", expected one of \"knight/Body\", "
+            "\"thief/Body\"");
+}
+
+TEST(ExcludedNodes, AreNotOfGeneratedCharacters) {
+  Scene scene = knight_and_thief();
+  scene.characters[0].origin = CreatureOptions();
+  EXPECT_EQ(refusal(scene, {"Cape"}),
+            "no node to exclude is named \"Cape\", expected one of \"Body\"");
+  scene.characters[1].origin = CreatureOptions();
+  EXPECT_EQ(
+      refusal(scene, {"Hood"}),
+      "no node to exclude is named \"Hood\": the characters of the scene do not come from files, "
+      "exclude nothing");
+}
+
+/// One joint has the largest sum without being the largest of any vertex; also two parts.
+asset::Asset three_triangles() {
+  asset::Asset asset;
+  asset.rest_positions.resize(9, Vec3{0, 0, 0});
+  asset.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  asset.influences_per_vertex = 2;
+  for (int v = 0; v < 9; ++v) asset.joint_indices.insert(asset.joint_indices.end(), {0, 1});
+  asset.weights = {0.4f, 0.6f, 0.9f, 0.1f, 0.4f, 0.6f, 0,    1,    0,
+                   1,    0,    1,    0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f};
+  asset.joints.resize(2);
+  asset.parts.resize(2);
+  asset.parts[0].triangle_count = 2;
+  asset.parts[1] = {"", "", "", 2, 1, true};
+  return asset;
+}
+
+TEST(TriangleLabels, AreTheJointOfTheGreatestSumAndThePart) {
+  const auto labels = label_triangles(three_triangles());
+  ASSERT_TRUE(labels) << labels.error().message;
+  EXPECT_EQ(labels->joint, (std::vector<std::uint16_t>{0, 1, 0}));
+  EXPECT_EQ(labels->part, (std::vector<std::uint32_t>{0, 0, 1}));
+}
+
+TEST(TriangleLabels, TakeWeightsThatDoNotSumToOneAndRefuseWhatIsNoWeight) {
+  asset::Asset asset = three_triangles();
+  for (float& weight : asset.weights) weight *= 3;
+  ASSERT_TRUE(label_triangles(asset));
+  EXPECT_EQ(label_triangles(asset)->joint, (std::vector<std::uint16_t>{0, 1, 0}));
+  asset.weights[3] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(label_triangles(asset));
+}
+
+TEST(TriangleLabels, NameTheJointsThatContactsNameToo) {
+  const Result<asset::Asset> creature = make_creature({.triangles = 2000, .joints = 56, .seed = 3});
+  ASSERT_TRUE(creature);
+  const Result<SkinnedModel> model = build_model(creature->mesh());
+  ASSERT_TRUE(model);
+  const auto labels = label_triangles(*creature);
+  ASSERT_TRUE(labels);
+  EXPECT_EQ(labels->joint, detail::Surface(*model).joints);
+  EXPECT_GT(std::set(labels->joint.begin(), labels->joint.end()).size(), 20u);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "scenes/names.hpp"
 
+#include "scenes/closest_name.hpp"
+#include "scenes/name_index.hpp"
+
 #include <gtest/gtest.h>
 
 namespace pelt::scenes {
@@ -49,6 +52,96 @@ TEST(JointName, IsItsNumberWhereTheFileHasNone) {
   EXPECT_EQ(joint_name(asset, 0), "joint 0");
   EXPECT_EQ(joint_name(asset, 1), "knee");
   EXPECT_EQ(joint_names(asset), (std::vector<std::string>{"joint 0", "knee"}));
+}
+
+using Numbers = std::vector<std::uint32_t>;
+
+/// Parts "part 0" ..., then joints "hips" and "part 3".
+Character character_of(std::uint32_t parts) {
+  Character character;
+  character.name = "knight";
+  for (std::uint32_t p = 0; p < parts; ++p)
+    character.asset.parts.push_back({"part " + std::to_string(p), "", "", p, 1, true});
+  character.asset.joints.resize(2);
+  character.asset.nodes.resize(2);
+  character.asset.joints[1].node = 1;
+  character.asset.nodes[0].name = "hips";
+  character.asset.nodes[1].name = "part 3";
+  return character;
+}
+
+TEST(NameIndex, NumbersPartsThenJoints) {
+  const NameIndex index(character_of(5));
+  EXPECT_EQ(index.part_count(), 5u);
+  EXPECT_EQ(index.find("part 3"), (Numbers{3, 6}));
+  EXPECT_EQ(index.find("knight/part 3"), (Numbers{3, 6}));
+  EXPECT_EQ(index.find("hips"), Numbers{5});
+  EXPECT_EQ(index.find("*"), (Numbers{0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(index.find("k*t/h*"), Numbers{5});
+  EXPECT_EQ(index.find("*2"), Numbers{2});
+  EXPECT_EQ(index.find("part"), Numbers{});
+  EXPECT_EQ(index.find("thief/hips"), Numbers{});
+  EXPECT_EQ(index.find(""), Numbers{});
+}
+
+TEST(NameIndex, ComparesOnlyNamesThatStartLikeThePattern) {
+  const NameIndex index(character_of(10'000));
+  EXPECT_EQ(index.candidates("part 7"), 1u);
+  EXPECT_EQ(index.candidates("knight/part 7"), 1u);
+  EXPECT_EQ(index.candidates("part 77*"), 1u + 10u + 100u);
+  EXPECT_EQ(index.candidates("nothing"), 0u);
+  EXPECT_EQ(index.candidates("nothing*"), 0u);
+  EXPECT_EQ(index.candidates("*7"), 2u * 10'002u);
+}
+
+TEST(NamePattern, AStarStandsForAnyCharacters) {
+  EXPECT_TRUE(matches("cape", "cape"));
+  EXPECT_FALSE(matches("cape", "capes"));
+  EXPECT_FALSE(matches("cape", "cap"));
+  EXPECT_TRUE(matches("*", ""));
+  EXPECT_TRUE(matches("cape*", "cape"));
+  EXPECT_TRUE(matches("*hand*", "left_hand.001"));
+  EXPECT_TRUE(matches("a*b*c", "a_b_b_c"));
+  EXPECT_FALSE(matches("a*b*c", "a_c_b"));
+  EXPECT_TRUE(matches("*aab", "aaaaab"));
+  EXPECT_FALSE(matches("", "x"));
+  EXPECT_TRUE(matches("", ""));
+}
+
+constexpr std::string_view kKnown[] = {"walk", "walk_formal", "run", "T"};
+
+TEST(ClosestName, FindsTypingErrors) {
+  for (const char* typo : {"wlak", "wal", "walkk", "Walk", "wak"}) {
+    EXPECT_EQ(suggestion(typo, kKnown), ", did you mean \"walk\"?") << typo;
+  }
+  EXPECT_EQ(suggestion("ran", kKnown), ", did you mean \"run\"?");
+}
+
+TEST(ClosestName, CountsTwoSwappedCharactersAsOneError) {
+  const std::vector<std::string_view> options = {"help", "html"};
+  EXPECT_EQ(closest_name("htlm", options), "html");
+}
+
+TEST(ClosestName, AcceptsMoreErrorsInLongNamesAndPiecesOfNames) {
+  const std::vector<std::string_view> names = {"Knight_Helmet_Visor", "Knight_Helmet", "hand_r"};
+  EXPECT_EQ(closest_name("knight-hlemet", names), "Knight_Helmet");
+  EXPECT_EQ(closest_name("helmet", names), "Knight_Helmet");
+  EXPECT_EQ(closest_name("HAND_R", names), "hand_r");
+  EXPECT_EQ(closest_name("shield", names), std::nullopt);
+  EXPECT_EQ(closest_name("r", names), std::nullopt);
+}
+
+TEST(ClosestName, ListsNoMoreThanCanBeRead) {
+  const std::vector<std::string_view> names(20, "joint");
+  const std::string words = suggestion("sword", names);
+  EXPECT_EQ(words.substr(words.size() - 18), "\"joint\" and 4 more") << words;
+}
+
+TEST(ClosestName, ListsAllWhereNoneIsNear) {
+  EXPECT_EQ(suggestion("dance", kKnown),
+            ", expected one of \"walk\", \"walk_formal\", \"run\", \"T\"");
+  // Every name is near to a short one.
+  EXPECT_NE(suggestion("X", kKnown).find("expected"), std::string::npos);
 }
 
 }  // namespace
