@@ -42,7 +42,7 @@ void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return pelt::tools::arguments::run_command_line(
+  return pelt::tools::arguments::run_process(
       {"pelt-lab", "Compares Pelt with methods from other papers.", kFooter, add_verbs}, argc,
       argv);
 }

@@ -56,13 +56,6 @@ Ended run_program(const fs::path& folder, const std::vector<std::string>& words,
   return run;
 }
 
-Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
-               const std::string& search_path) {
-  std::vector<std::string> words = {PELT_COMMAND};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_program(folder.path(), words, search_path);
-}
-
 std::set<std::string> names_in(const TestFolder& folder) { return names_in_path(folder.path()); }
 
 std::set<std::string> names_in_path(const fs::path& folder) {

@@ -1,48 +1,5 @@
-/// The command `pelt`.
-
-#include "tools/pelt/arguments/command_line.hpp"
-#include "tools/pelt/methods/anytime_methods.hpp"
-#include "tools/pelt/methods/command_methods.hpp"
-#include "tools/pelt/methods/moving_methods.hpp"
-#include "tools/pelt/methods/self_methods.hpp"
-#include "tools/pelt/verbs/commands.hpp"
-
-namespace {
-
-constexpr const char* kFooter = R"(
-`pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check, merge: nothing
-that --fail-on selects), 1 what --fail-on selects (check and merge only; by default any contact),
-2 bad input or arguments, 3 internal error.)";
-
-constexpr const char* kBenchNotes = R"(
-
-The program pelt-lab, which is not installed, also measures the methods of the literature.)";
-
-void add_verbs(CLI::App& app, pelt::tools::arguments::Command& chosen) {
-  using namespace pelt::tools::verbs;
-  add_check(app, chosen, pelt::methods::kCommandMethods);
-  add_merge(app, chosen, pelt::methods::kCommandMethods);
-  add_view(app, chosen);
-  add_bounds(app, chosen);
-  add_distance(app, chosen);
-  add_ray(app, chosen);
-  add_region(app, chosen);
-  add_info(app, chosen);
-  add_prepare(app, chosen);
-  add_pose(app, chosen);
-  add_demo(app, chosen);
-  add_bench(app, chosen,
-            {{pelt::methods::kCommandMethods, "paper,eager,on_demand"},
-             {pelt::methods::kSelfMethods, "boxes,self"},
-             {pelt::methods::kCommandMovingMethods, "eager,on_demand"},
-             {pelt::methods::kCommandAnytimeMethods, "contacts,resolution,first_contact,paper"},
-             kBenchNotes});
-}
-
-}  // namespace
+#include "tools/pelt/program.hpp"
 
 int main(int argc, char** argv) {
-  return pelt::tools::arguments::run_command_line(
-      {"pelt", "Exact collision detection for animated, skinned characters.", kFooter, add_verbs},
-      argc, argv);
+  return pelt::tools::arguments::run_process(pelt::tools::kPelt, argc, argv);
 }

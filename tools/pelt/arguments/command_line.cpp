@@ -187,10 +187,6 @@ int run(const Program& program, int argc, char** argv) {
 }  // namespace
 
 int run_command_line(const Program& program, int argc, char** argv) {
-  output::reserve_standard_streams();
-  output::remove_unfinished_files_on_signals();
-  output::limit_memory();
-  if (!reserve_memory_for_errors()) return refuse_to_start(program);
   try {
     return run(program, argc, argv);
   } catch (const std::bad_alloc&) {
@@ -201,6 +197,14 @@ int run_command_line(const Program& program, int argc, char** argv) {
     std::cerr << program.name << ": internal error\n";
   }
   return code(ExitCode::internal);
+}
+
+int run_process(const Program& program, int argc, char** argv) {
+  output::reserve_standard_streams();
+  output::remove_unfinished_files_on_signals();
+  output::limit_memory();
+  if (!reserve_memory_for_errors()) return refuse_to_start(program);
+  return run_command_line(program, argc, argv);
 }
 
 }  // namespace pelt::tools::arguments

@@ -14,8 +14,11 @@ struct Program {
   void (*add_verbs)(CLI::App& app, Command& chosen);
 };
 
-/// Reads the command line, runs the verb, and prints its error. Returns the exit code of the
-/// process.
+/// Reads the command line, runs the verb, and prints its error. Returns the exit code.
 int run_command_line(const Program& program, int argc, char** argv);
+
+/// Prepares the streams, signals and memory of the process, then calls `run_command_line`. Call
+/// once, in `main`.
+int run_process(const Program& program, int argc, char** argv);
 
 }  // namespace pelt::tools::arguments

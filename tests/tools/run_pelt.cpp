@@ -1,0 +1,23 @@
+#include "support/call_program.hpp"
+#include "tools/pelt/program.hpp"
+#include "tools/run_program.hpp"
+
+namespace pelt::test {
+
+Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
+               const std::string& search_path) {
+  const CalledProgram called(folder.path(), search_path);
+  std::vector<std::string> words = {"pelt"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  const int count = static_cast<int>(pointers.size());
+  pointers.push_back(nullptr);
+  Ended run;
+  run.exit_code = tools::arguments::run_command_line(tools::kPelt, count, pointers.data());
+  run.out = called.out();
+  run.err = called.err();
+  return run;
+}
+
+}  // namespace pelt::test
