@@ -1,6 +1,6 @@
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/paper/eager.hpp"
-#include "evaluation/paper/rigid.hpp"
+#include "paper/eager.hpp"
+#include "paper/rigid.hpp"
 #include "tools/pelt/methods/paper_method.hpp"
 
 namespace pelt::lab {

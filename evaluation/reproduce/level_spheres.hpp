@@ -2,7 +2,7 @@
 
 /// The spheres of the paper's trees, level by level, for drawing.
 
-#include "evaluation/paper/on_demand.hpp"
+#include "paper/on_demand.hpp"
 
 namespace pelt::reproduce {
 

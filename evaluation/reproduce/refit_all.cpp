@@ -4,11 +4,11 @@
 
 #include "base/assert.hpp"
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/paper/eager.hpp"
-#include "evaluation/paper/on_demand.hpp"
 #include "evaluation/reproduce/median_time.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
 #include "evaluation/reproduce/specimen.hpp"
+#include "paper/eager.hpp"
+#include "paper/on_demand.hpp"
 #include "pose/pose.hpp"
 #include "pose/pose_boxes.hpp"
 

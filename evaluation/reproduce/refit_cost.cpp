@@ -2,11 +2,11 @@
 /// and the work that it saves: refitting everything, and building trees again.
 
 #include "base/assert.hpp"
-#include "evaluation/paper/on_demand.hpp"
 #include "evaluation/reproduce/refit_all.hpp"
 #include "evaluation/reproduce/refit_flops.hpp"
 #include "evaluation/reproduce/refit_time.hpp"
 #include "evaluation/reproduce/specimen.hpp"
+#include "paper/on_demand.hpp"
 #include "tools/pelt/output/text.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "evaluation/reproduce/refit_flops.hpp"
 
-#include "evaluation/paper/counted_refit.hpp"
-#include "evaluation/paper/on_demand.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
 #include "evaluation/reproduce/specimen.hpp"
+#include "paper/counted_refit.hpp"
+#include "paper/on_demand.hpp"
 
 namespace pelt::reproduce {
 namespace {

@@ -1,6 +1,6 @@
 #include "evaluation/reproduce/refit_time.hpp"
 
-#include "evaluation/paper/counted_refit.hpp"
+#include "paper/counted_refit.hpp"
 #include "scenes/creature/random.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/output/statistics.hpp"

@@ -3,8 +3,8 @@
 /// The time of one refit of the paper's method over three possible causes: the joints of a node,
 /// its corners, and the vertices below it.
 
-#include "evaluation/paper/refit.hpp"
 #include "evaluation/reproduce/report.hpp"
+#include "paper/refit.hpp"
 
 namespace pelt::reproduce {
 

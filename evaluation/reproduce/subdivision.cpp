@@ -3,8 +3,6 @@
 
 #include "base/assert.hpp"
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/paper/on_demand.hpp"
-#include "evaluation/paper/sphere_tree.hpp"
 #include "evaluation/reproduce/facing_pair.hpp"
 #include "evaluation/reproduce/figures.hpp"
 #include "evaluation/reproduce/method_title.hpp"
@@ -12,6 +10,8 @@
 #include "evaluation/reproduce/scene_figures.hpp"
 #include "evaluation/reproduce/specimen.hpp"
 #include "evaluation/reproduce/subdivide.hpp"
+#include "paper/on_demand.hpp"
+#include "paper/sphere_tree.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/scene_query.hpp"

@@ -20,7 +20,7 @@
 /// of differences of joint matrices are computed once for each palette and pair of joints that
 /// occurs.
 
-#include "evaluation/paper/sphere_tree.hpp"
+#include "paper/sphere_tree.hpp"
 
 #include <cstdint>
 #include <vector>

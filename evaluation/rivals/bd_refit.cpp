@@ -1,7 +1,7 @@
 #include "evaluation/rivals/bd_refit.hpp"
 
-#include "evaluation/paper/leaf_order.hpp"
-#include "evaluation/paper/refit.hpp"
+#include "paper/leaf_order.hpp"
+#include "paper/refit.hpp"
 
 #include <algorithm>
 #include <cmath>

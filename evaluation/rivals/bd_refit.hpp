@@ -10,8 +10,8 @@
 /// margin (24 m + 4 n + 48) u G is larger than their sum. The radius is a sum of 2 m + 2 products,
 /// all positive; a factor 1 + 2^-22 (m + 4) covers its rounding, in addition to make_ball.
 
-#include "evaluation/paper/ball.hpp"
 #include "evaluation/rivals/bd_records.hpp"
+#include "paper/ball.hpp"
 #include "skin/palette.hpp"
 
 namespace pelt::rivals {

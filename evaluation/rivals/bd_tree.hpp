@@ -1,12 +1,12 @@
 #pragma once
 
 /// A BD-tree for each of two bodies: the paper's sphere tree and descent
-/// (evaluation/paper/collide.hpp), but with spheres bounded by means and deviations instead of the
+/// (paper/collide.hpp), but with spheres bounded by means and deviations instead of the
 /// corners of the weights. Skins only the vertices of triangles that are tested.
 
-#include "evaluation/paper/collide.hpp"
-#include "evaluation/paper/posed_triangles.hpp"
 #include "evaluation/rivals/bd_refit.hpp"
+#include "paper/collide.hpp"
+#include "paper/posed_triangles.hpp"
 
 namespace pelt::rivals {
 

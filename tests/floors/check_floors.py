@@ -7,8 +7,8 @@
 The product has floors: a file may include files of its own floor and of lower ones. In addition,
 public headers include only public headers; the library includes only the standard library; the glTF
 reader includes only public headers of the core; examples include only what users can include. The
-product includes nothing of evaluation/, except one method of the command. Each folder of evaluation/
-may include the library and the folders listed for it below. Tests may include anything.
+product includes nothing of evaluation/. Of the command, only its methods include the paper's system. Each
+folder of evaluation/ may include the library and the folders listed for it below. Tests may include anything.
 """
 
 import pathlib
@@ -18,7 +18,7 @@ import sys
 LIBRARY = ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin", "src/model", "src/pose",
            "src/query", "src/motion", "src/collide", "src/self", "src/bounds", "src/ray", "src/distance",
            "src/field", "src/solid", "src/contact", "src/inside", "src/volume", "src/crowd"]
-FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings",
+FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings", "paper",
           *("tools/pelt/" + f for f in ("output", "arguments", "methods", "scene", "query", "bench",
                                         "picture", "prepared", "page", "check", "list", "shard",
                                         "verbs")),
@@ -26,13 +26,12 @@ FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings",
 
 COMMAND = ["asset", "scenes", *(f for f in FLOORS if f.startswith("tools/pelt"))]
 EVALUATION = {
-    "evaluation/paper": ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin"],
-    "evaluation/rivals": [*LIBRARY, "evaluation/paper"],
-    "evaluation/methods": [*LIBRARY, "tools/pelt/methods", "evaluation/paper", "evaluation/rivals"],
+    "evaluation/rivals": [*LIBRARY, "paper"],
+    "evaluation/methods": [*LIBRARY, "tools/pelt/methods", "paper", "evaluation/rivals"],
     "evaluation/peers": [*LIBRARY, *COMMAND, "evaluation/rivals", "evaluation/methods"],
     "evaluation/programs": [*LIBRARY, "asset", "scenes", "tools/pelt/output",
                             "tools/pelt/scene", "evaluation/peers"],
-    "evaluation/reproduce": [*LIBRARY, *COMMAND, "evaluation/paper", "evaluation/rivals",
+    "evaluation/reproduce": [*LIBRARY, *COMMAND, "paper", "evaluation/rivals",
                              "evaluation/methods", "evaluation/peers", "evaluation/programs"],
     "evaluation/pictures": [*LIBRARY, *COMMAND, "evaluation/reproduce"],
     "evaluation/lab": ["tools/pelt/arguments", "tools/pelt/methods", "tools/pelt/verbs",
@@ -40,16 +39,16 @@ EVALUATION = {
 }
 FOLDERS = [*FLOORS, *EVALUATION, "docs/examples", "tests"]
 
-# The paper's method is reachable from the command because Pelt started as an implementation of it.
-MAY_INCLUDE_PAPER = "tools/pelt/methods/paper_method.hpp"
+MAY_INCLUDE_PAPER = ("tools/pelt/methods", *EVALUATION)
 MAY_INCLUDE_ONLY = {
     "include/pelt": ["include/pelt"],
     "asset": ["include/pelt", "src/base", "asset"],
     "bindings/python": ["include/pelt", "bindings/python"],
     "docs/examples": ["include/pelt"],
+    "paper": ["include/pelt", "src/base", "src/geometry", "src/skin"],
 }
 # src/base includes headers of instruction sets and systems.
-STANDARD_LIBRARY_ONLY = ("include/pelt", "evaluation/paper", "docs/examples",
+STANDARD_LIBRARY_ONLY = ("include/pelt", "paper", "docs/examples",
                          *(f for f in LIBRARY if f.startswith("src/") and f != "src/base"))
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -70,12 +69,12 @@ def resolve(root, file, name):
     return None
 
 
-def may_include(path, folder, theirs):
+def may_include(folder, theirs):
     """Returns whether a file in one folder of the rules may include a file in another."""
     if folder == theirs or folder == "tests":
         return True
-    if theirs == "evaluation/paper" and path == MAY_INCLUDE_PAPER:
-        return True
+    if theirs == "paper" and folder not in MAY_INCLUDE_PAPER:
+        return False
     if folder in MAY_INCLUDE_ONLY:
         return theirs in MAY_INCLUDE_ONLY[folder]
     if folder in EVALUATION:
@@ -83,7 +82,7 @@ def may_include(path, folder, theirs):
     return theirs in FLOORS and FLOORS.index(theirs) < FLOORS.index(folder)
 
 
-def violation(path, folder, bracket, name, target):
+def violation(folder, bracket, name, target):
     """Returns the error of an include, or None."""
     if target is None:
         if bracket == '"':
@@ -94,7 +93,7 @@ def violation(path, folder, bracket, name, target):
     theirs = folder_of(target)
     if theirs is None:
         return f"{target} is in none of the folders that the rules name"
-    if not may_include(path, folder, theirs):
+    if not may_include(folder, theirs):
         return f"{folder} must not include {target}"
     return None
 
@@ -111,7 +110,7 @@ def main():
         for number, line in enumerate(file.read_text().splitlines(), 1):
             if match := INCLUDE.match(line):
                 target = resolve(root, file, match[2])
-                if wrong := violation(path, folder_of(path), match[1], match[2], target):
+                if wrong := violation(folder_of(path), match[1], match[2], target):
                     print(f"{path}:{number}: {wrong}")
                     found += 1
     print(f"{len(files)} files, {found} violations")

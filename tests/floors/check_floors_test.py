@@ -43,24 +43,24 @@ class CheckFloors(unittest.TestCase):
                             ["tools/pelt/b.hpp"])
 
     def test_the_product_includes_no_evaluation(self):
-        for path in ("src/collide/a.cpp", "scenes/a.cpp", "bindings/a.cpp", "tools/pelt/verbs/a.cpp"):
-            self.assert_refused(path, '#include "evaluation/paper/b.hpp"',
-                                ["evaluation/paper/b.hpp"])
+        for path in ("src/collide/a.cpp", "scenes/a.cpp", "bindings/a.cpp", "paper/a.cpp",
+                     "tools/pelt/methods/a.cpp", "tools/pelt/verbs/a.cpp"):
             self.assert_refused(path, '#include "evaluation/rivals/b.hpp"',
                                 ["evaluation/rivals/b.hpp"])
 
-    def test_the_command_has_the_papers_method(self):
-        method = "tools/pelt/methods/paper_method.hpp"
-        self.assert_accepted(method, '#include "evaluation/paper/b.hpp"',
-                             ["evaluation/paper/b.hpp"])
-        self.assert_refused(method, '#include "evaluation/rivals/b.hpp"',
-                            ["evaluation/rivals/b.hpp"])
+    def test_the_methods_of_the_command_include_the_papers_system(self):
+        self.assert_accepted("tools/pelt/methods/a.cpp", '#include "paper/b.hpp"', ["paper/b.hpp"])
+        for path in ("src/collide/a.cpp", "scenes/a.cpp", "bindings/a.cpp", "tools/pelt/verbs/a.cpp"):
+            self.assert_refused(path, '#include "paper/b.hpp"', ["paper/b.hpp"])
+
+    def test_the_papers_system_includes_few_folders(self):
+        self.assert_accepted("paper/a.cpp", '#include "skin/b.hpp"', ["src/skin/b.hpp"])
+        self.assert_refused("paper/a.cpp", '#include "pose/b.hpp"', ["src/pose/b.hpp"])
+        self.assert_refused("paper/a.cpp", '#include "asset/b.hpp"', ["asset/b.hpp"])
 
     def test_evaluation_includes_what_is_listed_for_it(self):
-        self.assert_accepted("evaluation/rivals/a.cpp", '#include "evaluation/paper/b.hpp"',
-                             ["evaluation/paper/b.hpp"])
-        self.assert_refused("evaluation/paper/a.cpp", '#include "evaluation/rivals/b.hpp"',
-                            ["evaluation/rivals/b.hpp"])
+        self.assert_accepted("evaluation/rivals/a.cpp", '#include "paper/b.hpp"',
+                             ["paper/b.hpp"])
         self.assert_refused("evaluation/rivals/a.cpp", '#include "tools/pelt/output/b.hpp"',
                             ["tools/pelt/output/b.hpp"])
 

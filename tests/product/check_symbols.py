@@ -3,10 +3,9 @@
 
     check_symbols.py NM FILES...         prints the symbols of evaluation/ in programs, archives and
                                          objects; exits with 1 if there are any, or no symbols of Pelt
-    check_symbols.py --wasm NM FOLDER    the same for the objects of the npm package's engine,
-                                         if FOLDER has been built; exits with 77 otherwise
-
-The paper's method is part of the command and therefore allowed there.
+    check_symbols.py --wasm NM FOLDER    the same, and the symbols of paper/, for the objects of the
+                                         npm package's engine, if FOLDER has been built; exits with
+                                         77 otherwise
 """
 
 import pathlib
@@ -30,7 +29,7 @@ def symbols_of(nm, files):
 def check(nm, files, forbidden):
     names = {name for name in symbols_of(nm, files) if "pelt::" in name}
     offenders = sorted(name for name in names if forbidden.search(name))
-    print(*offenders, f"{len(names)} symbols of Pelt, {len(offenders)} of evaluation/", sep="\n")
+    print(*offenders, f"{len(names)} symbols of Pelt, {len(offenders)} forbidden", sep="\n")
     return 1 if offenders or not names else 0
 
 

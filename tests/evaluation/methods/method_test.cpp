@@ -2,9 +2,9 @@
 
 #include "evaluation/methods/lab_methods.hpp"
 
-#include "evaluation/paper/on_demand.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
+#include "paper/on_demand.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 /// The parts of the experiment on refits. Times are not checked.
 
-#include "evaluation/paper/counted_refit.hpp"
-#include "evaluation/paper/on_demand.hpp"
 #include "evaluation/reproduce/refit_all.hpp"
 #include "evaluation/reproduce/refit_flops.hpp"
 #include "evaluation/reproduce/refit_time.hpp"
 #include "evaluation/reproduce/specimen.hpp"
+#include "paper/counted_refit.hpp"
+#include "paper/on_demand.hpp"
 #include "scenes/creature.hpp"
 
 #include <gtest/gtest.h>

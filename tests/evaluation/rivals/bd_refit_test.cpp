@@ -2,7 +2,7 @@
 
 #include "evaluation/rivals/bd_refit.hpp"
 
-#include "evaluation/paper/posed_mesh.hpp"
+#include "paper/posed_mesh.hpp"
 
 #include <gtest/gtest.h>
 

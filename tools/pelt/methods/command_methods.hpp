@@ -20,7 +20,6 @@ inline constexpr MethodKind kOnDemand = {"on_demand", Skins::where_queried, make
 inline constexpr MethodKind kEager = {"eager", Skins::with_boxes, make_eager};
 
 /// Kavan & Zara 2005, the system that this project started from: a sphere tree refitted on demand.
-/// The only method of the command that is not the product's own code.
 inline constexpr MethodKind kPaper = {"paper", Skins::where_queried, make_paper};
 
 /// Tests every triangle of one body against every triangle of the other.

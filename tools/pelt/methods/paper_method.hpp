@@ -1,9 +1,9 @@
 #pragma once
 
-/// The paper's method. The only place where the product includes code of evaluation/paper.
+/// The paper's method, as a method of the command.
 
-#include "evaluation/paper/breadth_first.hpp"
-#include "evaluation/paper/on_demand.hpp"
+#include "paper/breadth_first.hpp"
+#include "paper/on_demand.hpp"
 #include "tools/pelt/methods/body_method.hpp"
 
 namespace pelt::methods {
