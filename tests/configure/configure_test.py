@@ -86,6 +86,11 @@ class Configure(unittest.TestCase):
         self.assertLessEqual({LIBRARY, READER, COMMAND}, configured.targets)
         self.assertFalse({TEST, LAB} & configured.targets)
 
+    def test_tests_without_the_evaluation(self):
+        configured = self.configure([], ["-DPELT_BUILD_EVALUATION=OFF"])
+        self.assertLessEqual({LIBRARY, READER, COMMAND, TEST}, configured.targets)
+        self.assertFalse({LAB, "pelt_rivals", "rivals_test"} & configured.targets)
+
     def test_everything(self):
         configured = self.configure([])
         self.assertLessEqual({LIBRARY, READER, COMMAND, LAB, TEST, GMP_TEST, CGAL_TEST},

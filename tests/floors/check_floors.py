@@ -45,7 +45,7 @@ MAY_INCLUDE_ONLY = {
     "asset": ["include/pelt", "src/base", "asset"],
     "bindings/python": ["include/pelt", "bindings/python"],
     "docs/examples": ["include/pelt"],
-    "paper": ["include/pelt", "src/base", "src/geometry", "src/skin"],
+    "paper": ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin"],
 }
 # src/base includes headers of instruction sets and systems.
 STANDARD_LIBRARY_ONLY = ("include/pelt", "paper", "docs/examples",

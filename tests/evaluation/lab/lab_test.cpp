@@ -1,11 +1,24 @@
 /// The program pelt-lab: the verbs of the command with additional methods.
 
 #include "evaluation/methods/lab_methods.hpp"
+#include "tools/scene/every_method.hpp"
 #include "tools/test_scenes.hpp"
 
 #include <map>
 
 namespace pelt::test {
+
+/// The methods that the command does not have, and one that they are compared with.
+methods::MethodKinds every_method() {
+  static const std::vector<methods::MethodKind> methods = [] {
+    std::vector<methods::MethodKind> all = {methods::kOnDemand};
+    for (const methods::MethodKind& kind : lab::kLabMethods)
+      if (!methods::find_method(methods::kCommandMethods, kind.name)) all.push_back(kind);
+    return all;
+  }();
+  return methods;
+}
+
 namespace {
 
 json bench(const TestFolder& folder, std::vector<std::string> options) {

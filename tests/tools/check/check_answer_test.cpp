@@ -1,7 +1,7 @@
 /// Compares the answer of `pelt check` with all pairs of triangles.
 
-#include "evaluation/methods/lab_methods.hpp"
 #include "tools/answer.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 #include "tools/test_scenes.hpp"
 
 #include <map>

@@ -1,13 +1,16 @@
 #pragma once
 
-/// Queries a scene with every method and reads its files once.
+/// Queries a scene with every method of the tested program and reads its files once.
 
-#include "evaluation/methods/lab_methods.hpp"
+#include "tools/pelt/methods/method.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
 
 #include <gtest/gtest.h>
 
 namespace pelt::test {
+
+/// Defined by each test program.
+methods::MethodKinds every_method();
 
 struct FramesAnswer {
   std::uint64_t hash = 0;
@@ -43,7 +46,7 @@ inline std::uint32_t in_contact_by_every_method(const scenes::Scene& scene, std:
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   if (!colliders) return ADD_FAILURE() << colliders.error().message, 0;
   std::vector<FramesAnswer> answers;
-  for (const methods::MethodKind& method : lab::kLabMethods) {
+  for (const methods::MethodKind& method : every_method()) {
     answers.push_back(ask_frames(scene, tools::scene::SceneQuery(*colliders, method), begin, end));
     EXPECT_EQ(answers.back(), answers.front()) << method.name;
   }

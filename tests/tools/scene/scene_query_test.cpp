@@ -1,10 +1,12 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
 #include "tools/pelt/scene/posed_instances.hpp"
-#include "tools/scene/every_method.hpp"
+#include "tools/scene/walkers.hpp"
 
 namespace pelt::tools::scene {
 namespace {
+
+using test::walkers;
 
 TEST(PoseInstances, RefuseScenesTooLargeForAGlb) {
   scenes::Scene scene;
@@ -18,35 +20,6 @@ TEST(PoseInstances, RefuseScenesTooLargeForAGlb) {
       posed.error().message,
       "crowd.json: the posed characters take 4577 MiB, more than a .glb file can contain: use "
       "fewer instances");
-}
-
-/// Two small creatures that walk through each other.
-scenes::Scene walkers() {
-  scenes::Scene scene;
-  for (const scenes::CreatureOptions& options :
-       {scenes::CreatureOptions{1000, 24, 1}, scenes::CreatureOptions{1200, 45, 2}}) {
-    Result<scenes::Character> character = scenes::generate_character(options);
-    EXPECT_TRUE(character);
-    scene.characters.push_back(std::move(*character));
-  }
-  scene.fps = 6;
-  scene.frame_count = 12;
-  scene.instances.resize(2);
-  scene.instances[0].clip = scene.instances[1].clip = "walk";
-  scene.instances[0].translation = {-0.1, 0, -0.9};
-  scene.instances[0].velocity = {0, 0, 0.9};
-  scene.instances[1].character = 1;
-  scene.instances[1].translation = {0.1, 0, 0.9};
-  scene.instances[1].rotation = {0, 1, 0, 0};
-  scene.instances[1].velocity = {0, 0, -0.9};
-  return scene;
-}
-
-TEST(SceneQuery, CreaturesCollideAlikeByEveryMethod) {
-  const scenes::Scene scene = walkers();
-  const std::uint32_t in_contact = test::in_contact_by_every_method(scene, 0, scene.frame_count);
-  EXPECT_GE(in_contact, 4u);
-  EXPECT_LT(in_contact, scene.frame_count);
 }
 
 TEST(SceneQuery, PartsOfOneInstanceCollideAlikeAsACrowdAndPairByPair) {

@@ -1,11 +1,20 @@
-/// Real characters, if they are available: every method finds the same contacts, and at least one.
+/// Every method finds the same contacts, and at least one: of generated characters, and of real
+/// ones if they are available.
 
 #include "tools/scene/every_method.hpp"
+#include "tools/scene/walkers.hpp"
 
 #include <filesystem>
 
 namespace pelt::test {
 namespace {
+
+TEST(Walkers, CollideAlikeByEveryMethod) {
+  const scenes::Scene scene = walkers();
+  const std::uint32_t in_contact = in_contact_by_every_method(scene, 0, scene.frame_count);
+  EXPECT_GE(in_contact, 4u);
+  EXPECT_LT(in_contact, scene.frame_count);
+}
 
 struct SharedScene {
   const char* name;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scenes/creature.hpp"
+#include "scenes/scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelt::test {
+
+/// Two small creatures that walk through each other.
+inline scenes::Scene walkers() {
+  scenes::Scene scene;
+  for (const scenes::CreatureOptions& options :
+       {scenes::CreatureOptions{1000, 24, 1}, scenes::CreatureOptions{1200, 45, 2}}) {
+    Result<scenes::Character> character = scenes::generate_character(options);
+    EXPECT_TRUE(character);
+    scene.characters.push_back(std::move(*character));
+  }
+  scene.fps = 6;
+  scene.frame_count = 12;
+  scene.instances.resize(2);
+  scene.instances[0].clip = scene.instances[1].clip = "walk";
+  scene.instances[0].translation = {-0.1, 0, -0.9};
+  scene.instances[0].velocity = {0, 0, 0.9};
+  scene.instances[1].character = 1;
+  scene.instances[1].translation = {0.1, 0, 0.9};
+  scene.instances[1].rotation = {0, 1, 0, 0};
+  scene.instances[1].velocity = {0, 0, -0.9};
+  return scene;
+}
+
+}  // namespace pelt::test
