@@ -1,9 +1,9 @@
 #include "scenes/triangle_labels.hpp"
 
 #include "self/near_joints.hpp"
-#include "skin/skinned_mesh.hpp"
 #include "skin/main_joint.hpp"
 #include "skin/skin.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
 

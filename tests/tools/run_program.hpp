@@ -35,8 +35,8 @@ class TestFolder {
 Ended run_program(const std::filesystem::path& folder, const std::vector<std::string>& words,
                   const std::string& search_path = "");
 
-/// Runs the command with these arguments in `folder`. Does not start a process: use `run_program` with
-/// PELT_COMMAND for tests of signals, pipes, limits or closed streams.
+/// Runs the command with these arguments in `folder`. Does not start a process: use `run_program`
+/// with PELT_COMMAND for tests of signals, pipes, limits or closed streams.
 Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
                const std::string& search_path = "");
 

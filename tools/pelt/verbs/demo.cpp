@@ -1,9 +1,9 @@
 /// `pelt demo`: two generated characters walk into each other. Needs no input files.
 
+#include "scenes/demo.hpp"
 #include "asset/file_bytes.hpp"
 #include "asset/printable.hpp"
 #include "scenes/character_glb.hpp"
-#include "scenes/demo.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_scene.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"

@@ -75,7 +75,8 @@ ClosestQuery::ClosestQuery(const scene::StagedScene& staged, std::vector<Vec3> p
 QueryStats ClosestQuery::ask(std::span<Pose> poses) {
   QueryStats work;
   for (std::uint32_t c = 0; c < poses.size(); ++c) {
-    work += closest_points(poses[c], points_, scratch_, of_pose_, {.max_distance = settings_.within});
+    work +=
+        closest_points(poses[c], points_, scratch_, of_pose_, {.max_distance = settings_.within});
     for (std::size_t p = 0; p < points_.size(); ++p)
       found_[p * poses.size() + c] = {c, of_pose_[p]};
   }
