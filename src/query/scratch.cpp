@@ -4,11 +4,12 @@
 /// the first: one to a child, and one from there with the same node of the second tree. A step
 /// replaces a pair by at most as many pairs as the two nodes have slots.
 
-#include <pelt/query.hpp>
+#include "query/scratch.hpp"
+
+#include <pelt/search.hpp>
 
 #include "model/clusters.hpp"
 #include "model/tree.hpp"
-#include "query/scratch.hpp"
 #include "query/stack.hpp"
 
 #include <algorithm>
