@@ -86,7 +86,8 @@ describe('beside a baseline', () => {
   });
 
   test('the list can be restricted to words, a pair and a standing', async () => {
-    const { filtered, NO_FILTER } = await load('state/listing.ts');
+    const { filtered } = await load('state/listing.ts');
+    const { NO_FILTER } = await load('state/state.ts');
     const characters = [{ name: 'Knight' }, { name: 'Horse' }];
     const listed = (filter) => {
       const full = { ...state, characters };
