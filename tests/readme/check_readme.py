@@ -14,6 +14,7 @@ A ```text block after `<!-- output -->` must equal the output of the last block,
 error; `...` matches any text, also across lines.
 
 links: each link to a file or a picture must lead to one, and to one of its headings if it names one.
+Each path of a source in backticks, such as `src/skin/skin.hpp`, must exist, unless NAME is a part of it.
 """
 
 import pathlib
@@ -23,6 +24,9 @@ import sys
 import tempfile
 import textwrap
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SOURCE = re.compile(r"`((?:asset|bindings|evaluation|include|paper|scenes|scripts|src|tests|tools|viewer)"
+                    r"/(?!.*NAME)[\w/.-]+\.\w+)`")
 BLOCK = re.compile(r"(?:^<!-- *(?P<mark>[^\n]*?) *-->\n+)?^```(?P<language>\w+)\n(?P<text>.*?)^```$",
                    re.MULTILINE | re.DOTALL)
 
@@ -83,12 +87,15 @@ def headings(document):
 def check_links(*documents):
     count, wrong = 0, []
     for document in map(pathlib.Path, documents):
-        links = re.findall(r"\]\((?!https?:)([^)#]*)#?([^)]*)\)", document.read_text())
+        text = document.read_text()
+        links = re.findall(r"\]\((?!https?:)([^)#]*)#?([^)]*)\)", text)
+        sources = SOURCE.findall(text)
+        wrong += [f"{document}: there is no {path}" for path in sources if not (ROOT / path).exists()]
         for path, heading in links:
             target = document.parent / path if path else document
             if not target.exists() or (heading and heading not in headings(target)):
                 wrong.append(f"{document}: nothing is at {path}{heading and '#' + heading}")
-        count += len(links)
+        count += len(links) + len(sources)
     return count, wrong
 
 

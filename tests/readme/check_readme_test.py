@@ -75,6 +75,10 @@ class CheckReadme(unittest.TestCase):
         self.assertEqual(self.links("[a](none.md)\n"), (1, 1))
         self.assertEqual(self.links("[a](other.md#no-heading)\n"), (1, 1))
 
+    def test_named_sources_exist(self):
+        self.assertEqual(self.links("`src/NAME/NAME.cpp` `include/pelt/pelt.hpp` `a/b.c`\n"), (1, 0))
+        self.assertEqual(self.links("`src/none.cpp`\n"), (1, 1))
+
     def test_blocks_share_a_folder_and_see_the_programs(self):
         tool = self.folder / "tool"
         tool.write_text("#!/bin/sh\ntouch made\n")
