@@ -218,8 +218,8 @@ struct NearJoints {
 /// near itself. Two bodies are near
 /// - if one is anywhere above the other in the hierarchy, and triangles of both share a corner, as
 ///   at an armpit: only in the zone of the joint, where the skin creases;
-/// - if one is the next above the other, bodies that move no triangles skipped, and their triangles
-///   share no corner;
+/// - if one is the next body above the other, not counting bodies that move no triangles, and their
+///   triangles share no corner;
 /// - if triangles of both touch in `at_rest`, as in a ball joint, or at a foot that is no child of
 ///   its leg.
 ///
