@@ -1,5 +1,7 @@
 #include "evaluation/reproduce/self_stages.hpp"
 
+#include <pelt/self.hpp>
+
 #include "evaluation/rivals/tree_stages.hpp"
 #include "model/model.hpp"
 #include "pose/eager_pose.hpp"

@@ -9,7 +9,8 @@
 ///
 /// Allocation: a query with a `Scratch` allocates only if it needs more memory in the poses, in the
 /// scratch or in the caller's vectors than any earlier query. A query without a `Scratch` allocates
-/// at most in the pose and in the vectors to which it appends. `Crowd` has its own memory.
+/// at most in the pose and in the vectors to which it appends. `Crowd` has its own memory. Queries
+/// that need the surface of a model make it, once (`SkinnedModel::surface`).
 
 #include <pelt/config.hpp>
 

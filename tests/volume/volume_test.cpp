@@ -141,6 +141,7 @@ TEST(IntersectionVolume, AllocatesNothingIfAllIsReserved) {
   scratch.reserve(contacts.size());
   a.pose.reserve();
   b.pose.reserve();
+  ASSERT_TRUE(a.pose.model().surface().is_closed() && b.pose.model().surface().is_closed());
   Volume found;
   const std::uint64_t before = allocation_count();
   intersection_volume(a.pose, b.pose, scratch, found);
