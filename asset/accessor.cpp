@@ -1,6 +1,6 @@
 #include "asset/accessor.hpp"
 #include "asset/little_endian.hpp"
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,21 +70,21 @@ Result<void> require_finite(const std::vector<float>& values, std::size_t compon
                             const std::string& what) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) continue;
-    return malformed(what + ": element " + std::to_string(i / components) +
-                     (std::isnan(values[i]) ? " is NaN" : " is infinite"));
+    return text::malformed(what + ": element " + std::to_string(i / components) +
+                           (std::isnan(values[i]) ? " is NaN" : " is infinite"));
   }
   return {};
 }
 
 Result<void> require_type(const GltfAccessor& accessor, ElementType type, const std::string& what) {
   if (accessor.type == type) return {};
-  return malformed(what + ": its type is " + name(accessor.type) + ", must be " + name(type));
+  return text::malformed(what + ": its type is " + name(accessor.type) + ", must be " + name(type));
 }
 
 }  // namespace
 
 std::string accessor_label(std::uint32_t accessor, const std::string& use) {
-  return label("accessor", accessor) + " (" + use + ")";
+  return text::label("accessor", accessor) + " (" + use + ")";
 }
 
 AccessorReader::AccessorReader(const GltfDocument& document, Buffers& buffers, Budget& budget)
@@ -95,7 +95,7 @@ Result<std::vector<float>> AccessorReader::floats(std::uint32_t index, ElementTy
   const GltfAccessor& accessor = document_.accessors[index];
   const std::string what = accessor_label(index, use);
   if (!may_be_stored(accessor, storage)) {
-    return malformed(what + ": this component type is not allowed here");
+    return text::malformed(what + ": this component type is not allowed here");
   }
   const Result<void> right_type = require_type(accessor, type, what);
   if (!right_type) return right_type.error();
@@ -117,8 +117,8 @@ Result<std::vector<std::uint32_t>> AccessorReader::integers(std::uint32_t index,
   const GltfAccessor& accessor = document_.accessors[index];
   const std::string what = accessor_label(index, use);
   if (!is_unsigned_up_to(accessor.component, largest) || accessor.normalised) {
-    return malformed(what + ": must have unsigned integers of at most " +
-                     std::to_string(8 * byte_size(largest)) + " bits, not normalised");
+    return text::malformed(what + ": must have unsigned integers of at most " +
+                           std::to_string(8 * byte_size(largest)) + " bits, not normalised");
   }
   const Result<void> right_type = require_type(accessor, type, what);
   if (!right_type) return right_type.error();
@@ -158,10 +158,11 @@ Result<void> AccessorReader::copy_view(const GltfAccessor& accessor, Bytes& out,
   if (!bytes) return bytes.error();
   const GltfView& view = document_.views[*accessor.view];
   const std::uint64_t stride = view.stride == 0 ? size : view.stride;
-  if (stride < size) return malformed(what + ": byteStride of its view is less than an element");
+  if (stride < size)
+    return text::malformed(what + ": byteStride of its view is less than an element");
   if (!fits(accessor.offset, accessor.count, size, stride, bytes->size())) {
-    return malformed(what + ": " + std::to_string(accessor.count) + " elements reach beyond " +
-                     label("bufferView", *accessor.view));
+    return text::malformed(what + ": " + std::to_string(accessor.count) +
+                           " elements reach beyond " + text::label("bufferView", *accessor.view));
   }
   out.resize(accessor.count * size);
   for (std::uint64_t i = 0; i < accessor.count; ++i) {
@@ -177,7 +178,7 @@ Result<void> AccessorReader::copy_sparse(const GltfAccessor& accessor, Bytes& ou
   const std::size_t size = element_size(accessor);
   const std::size_t index_size = byte_size(sparse.index_type);
   if (!is_unsigned_up_to(sparse.index_type, ComponentType::u32)) {
-    return malformed(what + ": sparse indices must be unsigned integers");
+    return text::malformed(what + ": sparse indices must be unsigned integers");
   }
   const auto indices = packed(sparse.index_view, sparse.index_offset, sparse.count, index_size,
                               what + ", sparse indices");
@@ -189,8 +190,8 @@ Result<void> AccessorReader::copy_sparse(const GltfAccessor& accessor, Bytes& ou
   for (std::uint64_t i = 0; i < sparse.count; ++i) {
     const std::uint32_t element = to_integer(&(*indices)[i * index_size], sparse.index_type);
     if (element < least || element >= accessor.count) {
-      return malformed(what + ": sparse index " + std::to_string(element) + " at " +
-                       std::to_string(i) + " is out of order or out of range");
+      return text::malformed(what + ": sparse index " + std::to_string(element) + " at " +
+                             std::to_string(i) + " is out of order or out of range");
     }
     least = std::uint64_t{element} + 1;
     std::memcpy(&out[element * size], &(*values)[i * size], size);
@@ -205,8 +206,8 @@ Result<std::span<const std::byte>> AccessorReader::packed(std::uint32_t view, st
   const Result<std::span<const std::byte>> bytes = buffers_.view(view, what);
   if (!bytes) return bytes.error();
   if (!fits(offset, count, size, size, bytes->size())) {
-    return malformed(what + ": " + std::to_string(count) + " elements reach beyond " +
-                     label("bufferView", view));
+    return text::malformed(what + ": " + std::to_string(count) + " elements reach beyond " +
+                           text::label("bufferView", view));
   }
   return bytes->subspan(count == 0 ? 0 : offset, count * size);
 }

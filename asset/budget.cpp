@@ -1,5 +1,6 @@
 #include "asset/budget.hpp"
-#include "asset/message.hpp"
+
+#include "text/message.hpp"
 
 #include <algorithm>
 
@@ -17,8 +18,9 @@ Result<void> Budget::take(std::uint64_t count, std::uint64_t size, const std::st
     const std::string most = granted_ < kMax - kExpansion
                                  ? std::to_string(kExpansion) + " times its size in memory"
                                  : std::to_string(kMax >> 20) + " MiB of memory";
-    return malformed(what + ": " + std::to_string(count) +
-                     " elements are out of proportion: the file would take more than " + most);
+    return text::malformed(what + ": " + std::to_string(count) +
+                           " elements are out of proportion: the file would take more than " +
+                           most);
   }
   left_ -= count * size;
   return {};

@@ -1,8 +1,8 @@
 #include "asset/buffers.hpp"
 #include "asset/file_bytes.hpp"
 #include "asset/meshopt.hpp"
-#include "asset/message.hpp"
 #include "asset/uri.hpp"
+#include "text/message.hpp"
 
 namespace pelt::asset {
 
@@ -12,7 +12,7 @@ Buffers::Buffers(const GltfDocument& document, std::optional<Bytes> binary_chunk
 
 Result<Buffers::Bytes> Buffers::view(std::uint32_t view, const std::string& what) {
   views_read_.insert(view);
-  const std::string name = what + ": " + label("bufferView", view);
+  const std::string name = what + ": " + text::label("bufferView", view);
   return document_.views[view].meshopt ? compressed_view(view, name) : stored_view(view, name);
 }
 
@@ -32,7 +32,8 @@ Result<Buffers::Bytes> Buffers::compressed_view(std::uint32_t view, const std::s
   Result<std::vector<std::byte>> bytes = decode_meshopt(meshopt, *compressed, budget_, what);
   if (!bytes) return bytes.error();
   if (bytes->size() != document_.views[view].length) {
-    return malformed(what + ": byteLength is not count * byteStride of EXT_meshopt_compression");
+    return text::malformed(what +
+                           ": byteLength is not count * byteStride of EXT_meshopt_compression");
   }
   return Bytes(decompressed_[view] = *std::move(bytes));
 }
@@ -40,11 +41,12 @@ Result<Buffers::Bytes> Buffers::compressed_view(std::uint32_t view, const std::s
 Result<Buffers::Bytes> Buffers::range(std::uint32_t buffer_index, std::uint64_t offset,
                                       std::uint64_t length, const std::string& what) {
   const Result<Bytes> bytes = buffer(buffer_index);
-  if (!bytes) return prefixed(what, bytes.error());
+  if (!bytes) return text::prefixed(what, bytes.error());
   if (offset > bytes->size() || length > bytes->size() - offset) {
-    return malformed(what + ": " + std::to_string(length) + " bytes at " + std::to_string(offset) +
-                     " reach beyond the " + std::to_string(bytes->size()) + " bytes of " +
-                     label("buffer", buffer_index));
+    return text::malformed(what + ": " + std::to_string(length) + " bytes at " +
+                           std::to_string(offset) + " reach beyond the " +
+                           std::to_string(bytes->size()) + " bytes of " +
+                           text::label("buffer", buffer_index));
   }
   return bytes->subspan(offset, length);
 }
@@ -53,11 +55,12 @@ Result<Buffers::Bytes> Buffers::buffer(std::uint32_t buffer) {
   const auto known = fetched_.find(buffer);
   if (known != fetched_.end()) return known->second;
   const Result<Bytes> bytes = fetch(buffer);
-  if (!bytes) return prefixed(label("buffer", buffer), bytes.error());
+  if (!bytes) return text::prefixed(text::label("buffer", buffer), bytes.error());
   const std::uint64_t length = document_.buffers[buffer].length;
   if (bytes->size() < length) {
-    return malformed(label("buffer", buffer) + ": byteLength is " + std::to_string(length) +
-                     ", but there are only " + std::to_string(bytes->size()) + " bytes");
+    return text::malformed(text::label("buffer", buffer) + ": byteLength is " +
+                           std::to_string(length) + ", but there are only " +
+                           std::to_string(bytes->size()) + " bytes");
   }
   return fetched_[buffer] = bytes->first(length);
 }
@@ -65,10 +68,10 @@ Result<Buffers::Bytes> Buffers::buffer(std::uint32_t buffer) {
 Result<Buffers::Bytes> Buffers::fetch(std::uint32_t buffer) {
   if (document_.buffers[buffer].uri) return fetch_uri(buffer);
   if (document_.buffers[buffer].meshopt_fallback) {
-    return malformed("is the fallback of compressed views and has no bytes of its own");
+    return text::malformed("is the fallback of compressed views and has no bytes of its own");
   }
   if (buffer == 0 && binary_chunk_) return *binary_chunk_;
-  return malformed("has neither a uri nor the binary chunk of a .glb");
+  return text::malformed("has neither a uri nor the binary chunk of a .glb");
 }
 
 Result<Buffers::Bytes> Buffers::fetch_uri(std::uint32_t buffer) {

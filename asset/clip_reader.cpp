@@ -1,6 +1,6 @@
 #include "asset/clip_reader.hpp"
-#include "asset/message.hpp"
 #include "asset/transform.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <map>
@@ -69,7 +69,8 @@ Result<Clip> ClipReader::read(std::uint32_t index) {
   targets_.clear();
   for (const GltfChannel& channel : animation.channels) {
     const Result<void> added = add_channel(animation, channel, clip);
-    if (!added) return prefixed(label("animation", index, animation.name), added.error());
+    if (!added)
+      return text::prefixed(text::label("animation", index, animation.name), added.error());
   }
   return clip;
 }
@@ -87,7 +88,7 @@ Result<void> ClipReader::add_channel(const GltfAnimation& animation, const GltfC
   const Result<void> animatable = require_animatable(source);
   if (!animatable) return animatable.error();
   Result<Channel> channel = read_channel(sampler, source, *std::move(times));
-  if (!channel) return prefixed(node_label(document_, *source.node), channel.error());
+  if (!channel) return text::prefixed(node_label(document_, *source.node), channel.error());
   clip.channels.push_back(*std::move(channel));
   return {};
 }
@@ -110,16 +111,16 @@ Result<std::vector<float>> ClipReader::read_times(std::uint32_t accessor) {
   Result<std::vector<float>> times =
       reader_.floats(accessor, ElementType::scalar, Storage::floats, use);
   if (!times) return times;
-  if (times->empty()) return malformed(accessor_label(accessor, use) + ": is empty");
+  if (times->empty()) return text::malformed(accessor_label(accessor, use) + ": is empty");
   if (times->front() < 0) {
-    return malformed(accessor_label(accessor, use) + ": the first time is negative");
+    return text::malformed(accessor_label(accessor, use) + ": the first time is negative");
   }
   const auto fault = std::adjacent_find(times->begin(), times->end(),
                                         [](float time, float next) { return !(time < next); });
   if (fault == times->end()) return times;
-  return malformed(accessor_label(accessor, use) + ": key " +
-                   std::to_string(fault - times->begin() + 1) +
-                   " is not later than the one before it");
+  return text::malformed(accessor_label(accessor, use) + ": key " +
+                         std::to_string(fault - times->begin() + 1) +
+                         " is not later than the one before it");
 }
 
 Result<std::vector<float>> ClipReader::read_values(const GltfSampler& sampler,
@@ -132,9 +133,9 @@ Result<std::vector<float>> ClipReader::read_values(const GltfSampler& sampler,
   const std::uint64_t expected =
       std::uint64_t{key_count} * (cubic ? 3 : 1) * (weights ? weights_of(source) : 1);
   if (reader_.count(sampler.values) != expected) {
-    return malformed(accessor_label(sampler.values, use) + ": has " +
-                     std::to_string(reader_.count(sampler.values)) + " elements, must have " +
-                     std::to_string(expected));
+    return text::malformed(accessor_label(sampler.values, use) + ": has " +
+                           std::to_string(reader_.count(sampler.values)) + " elements, must have " +
+                           std::to_string(expected));
   }
   const ElementType type = weights    ? ElementType::scalar
                            : rotation ? ElementType::vec4
@@ -153,8 +154,8 @@ Result<void> ClipReader::normalise_keys(std::uint32_t accessor, std::vector<floa
     float* value = &values[4 * key];
     std::array<float, 4> rotation = {value[0], value[1], value[2], value[3]};
     if (!normalise(rotation)) {
-      return malformed(accessor_label(accessor, "values of keys") + ": key " + std::to_string(key) +
-                       " is not a unit quaternion");
+      return text::malformed(accessor_label(accessor, "values of keys") + ": key " +
+                             std::to_string(key) + " is not a unit quaternion");
     }
     std::copy(rotation.begin(), rotation.end(), value);
   }
@@ -164,10 +165,10 @@ Result<void> ClipReader::normalise_keys(std::uint32_t accessor, std::vector<floa
 Result<void> ClipReader::require_animatable(const GltfChannel& channel) {
   const std::string node = node_label(document_, *channel.node);
   if (document_.nodes[*channel.node].has_matrix && channel.path != GltfPath::weights) {
-    return malformed(node + " is animated, but has a matrix");
+    return text::malformed(node + " is animated, but has a matrix");
   }
   if (!targets_.emplace(*channel.node, channel.path).second) {
-    return malformed(node + " has two channels for the same property");
+    return text::malformed(node + " has two channels for the same property");
   }
   return {};
 }

@@ -1,6 +1,6 @@
 #include "asset/container.hpp"
 #include "asset/little_endian.hpp"
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 }
 
 Error cut_short(const std::string& how) {
-  return malformed("the .glb is truncated: " + how + ": copy or export it again");
+  return text::malformed("the .glb is truncated: " + how + ": copy or export it again");
 }
 
 /// Returns the text without the mark of UTF-8 and white space at its start.
@@ -28,7 +28,7 @@ std::string_view without_space(std::string_view text) {
 }
 
 Error not_gltf() {
-  return malformed(
+  return text::malformed(
       std::string("the file starts neither like a .glb nor like the JSON object of a .gltf") +
       kExportGltf2);
 }
@@ -40,7 +40,7 @@ bool begins_like_glb(std::span<const std::byte> file) {
 /// Reads a .gltf file.
 Result<Container> read_text(std::string_view text) {
   if (without_space(text).starts_with('{')) return Container{text, {}};
-  if (text.empty()) return malformed("the file is empty: copy or export it again");
+  if (text.empty()) return text::malformed("the file is empty: copy or export it again");
   return not_gltf();
 }
 
@@ -67,8 +67,8 @@ Result<Container> read_chunks(std::span<const std::byte> rest) {
   const Result<Chunk> json = next_chunk(rest);
   if (!json) return json.error();
   if (json->type != kJson)
-    return malformed(std::string("the first chunk of the .glb must be the JSON text") +
-                     kExportGltf2);
+    return text::malformed(std::string("the first chunk of the .glb must be the JSON text") +
+                           kExportGltf2);
   Container container{as_text(json->bytes), {}};
   while (!rest.empty()) {
     const Result<Chunk> chunk = next_chunk(rest);
@@ -87,12 +87,12 @@ Result<Container> open_container(std::span<const std::byte> file) {
   const auto version = load<std::uint32_t>(file.data() + 4);
   const auto length = load<std::uint32_t>(file.data() + 8);
   if (version != 2) {
-    return unsupported("Pelt reads .glb version 2, this is version " + std::to_string(version) +
-                       kExportGltf2);
+    return text::unsupported("Pelt reads .glb version 2, this is version " +
+                             std::to_string(version) + kExportGltf2);
   }
   if (length < kHeader) {
-    return malformed("the .glb says that it has " + std::to_string(length) +
-                     " bytes, less than its header: export it again");
+    return text::malformed("the .glb says that it has " + std::to_string(length) +
+                           " bytes, less than its header: export it again");
   }
   if (length > file.size()) {
     return cut_short("it says that it has " + std::to_string(length) + " bytes, it has " +

@@ -15,6 +15,9 @@ struct Container {
   std::optional<std::span<const std::byte>> binary;  ///< the binary chunk of a .glb
 };
 
+/// Remedy for a file of another format.
+inline constexpr const char* kExportGltf2 = ": export the character as glTF 2.0";
+
 /// Splits a .glb into its chunks. A file without the magic number of .glb is the JSON text of a
 /// .gltf if it starts like a JSON object. O(number of chunks); copies nothing.
 Result<Container> open_container(std::span<const std::byte> file);

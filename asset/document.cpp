@@ -1,8 +1,9 @@
 #include "asset/document.hpp"
+#include "asset/container.hpp"
 #include "asset/json_object.hpp"
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "asset/transform.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -35,7 +36,7 @@ T read_word(const JsonObject& json, const char* key, const Word<T> (&words)[N]) 
   for (const Word<T>& word : words) {
     if (word.text == text) return word.value;
   }
-  json.refuse(key, "unknown value " + asset::quoted(text));
+  json.refuse(key, "unknown value " + text::quoted(text));
   return words[0].value;
 }
 
@@ -267,11 +268,11 @@ void require_version_2(const JsonObject& root) {
   const std::string minimum = asset.text("minVersion");
   if (!version.starts_with("2.")) {
     asset.refuse_as_unsupported(
-        "version", "Pelt reads glTF 2.0, this is " + asset::quoted(version) + kExportGltf2);
+        "version", "Pelt reads glTF 2.0, this is " + text::quoted(version) + kExportGltf2);
   }
   if (!minimum.empty() && minimum != "2.0") {
     asset.refuse_as_unsupported(
-        "minVersion", "Pelt reads glTF 2.0, this needs " + asset::quoted(minimum) + kExportGltf2);
+        "minVersion", "Pelt reads glTF 2.0, this needs " + text::quoted(minimum) + kExportGltf2);
   }
 }
 
@@ -291,7 +292,7 @@ std::vector<std::string> read_extensions(const JsonObject& root) {
     if (is_known(extension)) continue;
     root.refuse_as_unsupported(
         "extensionsRequired",
-        "Pelt does not support " + asset::quoted(extension) + "; export the file without it");
+        "Pelt does not support " + text::quoted(extension) + "; export the file without it");
   }
   std::vector<std::string> passed_over;
   for (const std::string& extension : root.texts("extensionsUsed")) {

@@ -1,5 +1,6 @@
 #include "asset/file_bytes.hpp"
-#include "asset/message.hpp"
+
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,7 @@ Result<void> check_file(std::ifstream& stream, const std::filesystem::path& path
       std::span(room).first(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kBeginning)));
   if (const Result<void> filled = fill(stream, path, beginning); !filled) return filled;
   if (const Result<void> checked = check(beginning); !checked)
-    return prefixed(path.string(), checked.error());
+    return text::prefixed(path.string(), checked.error());
   stream.seekg(0);
   return {};
 }

@@ -1,5 +1,6 @@
 #include "asset/json_object.hpp"
-#include "asset/message.hpp"
+
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -48,7 +49,7 @@ void FirstError::set(Error error) {
 JsonObject::JsonObject(const json& value, std::string path, FirstError& errors)
     : value_(&value), path_(std::move(path)), errors_(&errors) {
   if (value.is_object()) return;
-  errors.set(malformed((path_.empty() ? "the JSON text" : path_) + ": must be an object"));
+  errors.set(text::malformed((path_.empty() ? "the JSON text" : path_) + ": must be an object"));
   value_ = &empty_object();
 }
 
@@ -133,7 +134,7 @@ std::vector<std::string> JsonObject::texts(const char* key) const {
     if ((*elements)[i].is_string()) {
       values.push_back((*elements)[i].get<std::string>());
     } else {
-      errors_->set(malformed(path_of(key, i) + ": must be a string"));
+      errors_->set(text::malformed(path_of(key, i) + ": must be a string"));
     }
   }
   return values;
@@ -170,11 +171,11 @@ std::size_t JsonObject::array_size(const char* key) const {
 }
 
 void JsonObject::refuse(const char* key, const std::string& what) const {
-  errors_->set(malformed(path_of(key) + ": " + what));
+  errors_->set(text::malformed(path_of(key) + ": " + what));
 }
 
 void JsonObject::refuse_as_unsupported(const char* key, const std::string& what) const {
-  errors_->set(unsupported(path_of(key) + ": " + what));
+  errors_->set(text::unsupported(path_of(key) + ": " + what));
 }
 
 const json* JsonObject::find(const char* key) const {
@@ -198,7 +199,7 @@ void JsonObject::read_floats(const char* key, float* values, std::size_t count) 
   for (std::size_t i = 0; i < count; ++i) {
     const std::optional<float> number = finite_float((*elements)[i]);
     if (!number) {
-      errors_->set(malformed(path_of(key, i) + ": must be a number that a float can hold"));
+      errors_->set(text::malformed(path_of(key, i) + ": must be a number that a float can hold"));
       return;
     }
     values[i] = *number;
@@ -216,8 +217,8 @@ std::string JsonObject::path_of(const char* key, std::size_t element) const {
 void JsonObject::require_index(std::uint64_t value, std::size_t size,
                                const std::string& path) const {
   if (value < size) return;
-  errors_->set(malformed(path + ": must be a whole number below " + std::to_string(size) +
-                         ", the number of elements there are"));
+  errors_->set(text::malformed(path + ": must be a whole number below " + std::to_string(size) +
+                               ", the number of elements there are"));
 }
 
 }  // namespace pelt::asset

@@ -1,9 +1,9 @@
 #include "asset/mesh_merge.hpp"
 
 #include "asset/joint_table.hpp"
-#include "asset/message.hpp"
 #include "asset/node_graph.hpp"
 #include "asset/primitive.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 
@@ -69,7 +69,7 @@ Result<void> Merger::add_node(std::uint32_t node) {
   morphs_.begin_node(node, mesh);
   for (const std::uint32_t primitive : drawn_primitives(mesh)) {
     const Result<void> added = add_primitive(node, {mesh, primitive});
-    if (!added) return prefixed(node_label(document_, node), added.error());
+    if (!added) return text::prefixed(node_label(document_, node), added.error());
   }
   return morphs_.end_node();
 }
@@ -272,7 +272,8 @@ Result<void> merge_meshes(const GltfDocument& document, const NodeGraph& graph,
     if (!added) return added.error();
   }
   if (asset.triangles.empty())
-    return unsupported("the scene has no triangles: export its meshes, and exclude fewer of them");
+    return text::unsupported(
+        "the scene has no triangles: export its meshes, and exclude fewer of them");
   return merger.finish();
 }
 

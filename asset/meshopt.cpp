@@ -1,7 +1,7 @@
 #include "asset/meshopt.hpp"
 
 #include "asset/little_endian.hpp"
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,18 +71,18 @@ void decode_quaternion_filter(std::span<std::byte> bytes) {
 Result<std::vector<std::byte>> decode_meshopt(const GltfMeshopt& meshopt,
                                               std::span<const std::byte> compressed, Budget& budget,
                                               const std::string& what) {
-  if (const char* rule = broken_rule(meshopt)) return malformed(what + ": " + rule);
+  if (const char* rule = broken_rule(meshopt)) return text::malformed(what + ": " + rule);
   if (meshopt.count > most_elements(meshopt)) {
-    return malformed(what + ": " + std::to_string(compressed.size()) +
-                     " compressed bytes cannot hold " + std::to_string(meshopt.count) +
-                     " elements");
+    return text::malformed(what + ": " + std::to_string(compressed.size()) +
+                           " compressed bytes cannot hold " + std::to_string(meshopt.count) +
+                           " elements");
   }
   const Result<void> taken = budget.take(meshopt.count, meshopt.stride, what);
   if (!taken) return taken.error();
   std::vector<std::byte> bytes(meshopt.count * meshopt.stride);
   if (bytes.empty()) return bytes;
   if (const Result<void> decompressed = decompress(meshopt, compressed, bytes); !decompressed) {
-    return prefixed(what, decompressed.error());
+    return text::prefixed(what, decompressed.error());
   }
   if (meshopt.filter == MeshoptFilter::quaternion) decode_quaternion_filter(bytes);
   return bytes;

@@ -1,5 +1,5 @@
 #include "asset/meshopt.hpp"
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 #include <meshoptimizer.h>
 
@@ -41,7 +41,7 @@ void decode_filter(const GltfMeshopt& meshopt, std::span<std::byte> bytes) {
 
 Result<void> decompress(const GltfMeshopt& meshopt, std::span<const std::byte> compressed,
                         std::span<std::byte> out) {
-  if (!decode(meshopt, compressed, out)) return malformed("the compressed bytes are damaged");
+  if (!decode(meshopt, compressed, out)) return text::malformed("the compressed bytes are damaged");
   decode_filter(meshopt, out);
   return {};
 }

@@ -1,6 +1,6 @@
 #include "asset/node_graph.hpp"
 
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <set>
@@ -16,9 +16,9 @@ Result<Indices> find_parents(const GltfDocument& document) {
   for (std::uint32_t node = 0; node < parents.size(); ++node) {
     for (const std::uint32_t child : document.nodes[node].children) {
       if (parents[child] != kNoParent) {
-        return malformed(node_label(document, child) + " is a child of both " +
-                         node_label(document, parents[child]) + " and " +
-                         node_label(document, node));
+        return text::malformed(node_label(document, child) + " is a child of both " +
+                               node_label(document, parents[child]) + " and " +
+                               node_label(document, node));
       }
       parents[child] = node;
     }
@@ -53,11 +53,12 @@ void append_tree(const GltfDocument& document, std::uint32_t root, NodeGraph& gr
 Result<void> append_scene(const GltfDocument& document, const Indices& parents, NodeGraph& graph) {
   for (const std::uint32_t root : scene_roots(document, parents)) {
     if (parents[root] != kNoParent) {
-      return malformed(node_label(document, root) + " is a root of the scene and a child of " +
-                       node_label(document, parents[root]));
+      return text::malformed(node_label(document, root) +
+                             " is a root of the scene and a child of " +
+                             node_label(document, parents[root]));
     }
     if (graph.position[root] != kNoParent) {
-      return malformed(node_label(document, root) + " is a root of the scene twice");
+      return text::malformed(node_label(document, root) + " is a root of the scene twice");
     }
     append_tree(document, root, graph);
   }
@@ -73,7 +74,7 @@ Result<void> append_others(const GltfDocument& document, const Indices& parents,
   }
   for (std::uint32_t node = 0; node < parents.size(); ++node) {
     if (graph.position[node] == kNoParent) {
-      return malformed(node_label(document, node) + " is in a cycle of children");
+      return text::malformed(node_label(document, node) + " is in a cycle of children");
     }
   }
   return {};
@@ -86,7 +87,7 @@ std::string mesh_node_names(const GltfDocument& document, const NodeGraph& graph
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < graph.scene_count && count < kMax; ++i) {
     const GltfNode& node = document.nodes[graph.order[i]];
-    if (node.mesh) names += (count++ == 0 ? "" : ", ") + asset::quoted(node.name);
+    if (node.mesh) names += (count++ == 0 ? "" : ", ") + text::quoted(node.name);
   }
   return count < kMax ? names : names + ", ...";
 }
@@ -105,7 +106,7 @@ Result<std::vector<bool>> find_excluded(const GltfDocument& document, const Node
   }
   if (unknown.empty() || !options.excluded_must_exist) return excluded;
   return Error{ErrorCode::invalid_argument,
-               "no node to exclude is named " + asset::quoted(*unknown.begin()) +
+               "no node to exclude is named " + text::quoted(*unknown.begin()) +
                    "; the nodes with meshes are " + mesh_node_names(document, graph)};
 }
 
@@ -128,7 +129,7 @@ Result<NodeGraph> order_nodes(const GltfDocument& document) {
 }
 
 std::string node_label(const GltfDocument& document, std::uint32_t node) {
-  return label("node", node, document.nodes[node].name);
+  return text::label("node", node, document.nodes[node].name);
 }
 
 Result<std::vector<std::uint32_t>> choose_mesh_nodes(const GltfDocument& document,

@@ -1,7 +1,7 @@
 #include "asset/parsed_json.hpp"
 
 #include "asset/budget.hpp"
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -120,19 +120,21 @@ void JsonEnd::operator()(json* value) const {
 
 Result<ParsedJson> parse_json(std::string_view text) {
   constexpr std::size_t kDeepest = 64;
-  if (text.find_first_not_of(" \t\r\n") == text.npos) return malformed("the JSON text is empty");
+  if (text.find_first_not_of(" \t\r\n") == text.npos)
+    return text::malformed("the JSON text is empty");
   const TextSize size = measure(text);
   if (size.depth > kDeepest) {
-    return malformed("the JSON text is nested more than " + std::to_string(kDeepest) + " deep");
+    return text::malformed("the JSON text is nested more than " + std::to_string(kDeepest) +
+                           " deep");
   }
   if (size.values > Budget::kMaxValues) {
-    return malformed("the JSON text has more than " + std::to_string(Budget::kMaxValues) +
-                     " values");
+    return text::malformed("the JSON text has more than " + std::to_string(Budget::kMaxValues) +
+                           " values");
   }
   ParsedJson parsed(new json);
   TreeBuilder tree(*parsed);
   if (!json::sax_parse(text, &tree))
-    return malformed("the JSON text is invalid: " + tree.problem());
+    return text::malformed("the JSON text is invalid: " + tree.problem());
   return parsed;
 }
 

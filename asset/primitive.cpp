@@ -1,5 +1,6 @@
 #include "asset/primitive.hpp"
-#include "asset/message.hpp"
+
+#include "text/message.hpp"
 
 #include <numeric>
 
@@ -31,8 +32,8 @@ std::array<std::size_t, 3> corners_of(PrimitiveMode mode, std::size_t i) {
 }  // namespace
 
 std::string primitive_label(const GltfDocument& document, PrimitivePlace place) {
-  return label("mesh", place.mesh, document.meshes[place.mesh].name) + ", " +
-         label("primitive", place.primitive);
+  return text::label("mesh", place.mesh, document.meshes[place.mesh].name) + ", " +
+         text::label("primitive", place.primitive);
 }
 
 PrimitiveReader::PrimitiveReader(const GltfDocument& document, AccessorReader& reader,
@@ -67,7 +68,7 @@ Result<Influences> PrimitiveReader::influences(PrimitivePlace place,
                                                const std::string& skin) {
   const std::size_t set_count = at(place).influence_sets.size();
   if (set_count == 0) {
-    return malformed(label_of(place) + ": has no JOINTS_0, but is moved by " + skin);
+    return text::malformed(label_of(place) + ": has no JOINTS_0, but is moved by " + skin);
   }
   std::vector<std::vector<std::uint32_t>> joint_sets;
   std::vector<std::vector<float>> weight_sets;
@@ -106,9 +107,9 @@ Result<std::vector<std::uint32_t>> PrimitiveReader::joint_set(PrimitivePlace pla
   for (std::size_t i = 0; i < indices->size(); ++i) {
     const std::uint32_t joint = (*indices)[i];
     if (joint < joint_count) continue;
-    return malformed(accessor_label(accessor, use) + ": vertex " + std::to_string(i / 4) +
-                     " refers to joint " + std::to_string(joint) + ", but " + skin + " has " +
-                     std::to_string(joint_count) + " joints");
+    return text::malformed(accessor_label(accessor, use) + ": vertex " + std::to_string(i / 4) +
+                           " refers to joint " + std::to_string(joint) + ", but " + skin + " has " +
+                           std::to_string(joint_count) + " joints");
   }
   return indices;
 }
@@ -127,8 +128,8 @@ Result<std::vector<Triangle>> PrimitiveReader::triangles(PrimitivePlace place,
   const Result<std::vector<std::uint32_t>> list = corners(place, vertex_count);
   if (!list) return list.error();
   if (mode == PrimitiveMode::triangles && list->size() % 3 != 0) {
-    return malformed(label_of(place) + ": " + std::to_string(list->size()) +
-                     " vertices are not a whole number of triangles");
+    return text::malformed(label_of(place) + ": " + std::to_string(list->size()) +
+                           " vertices are not a whole number of triangles");
   }
   std::vector<Triangle> triangles(triangle_count(mode, list->size()));
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -154,9 +155,9 @@ Result<std::vector<std::uint32_t>> PrimitiveReader::corners(PrimitivePlace place
   if (!indices) return indices;
   for (std::size_t i = 0; i < indices->size(); ++i) {
     if ((*indices)[i] < vertex_count) continue;
-    return malformed(accessor_label(*at(place).indices, use) + ": index " + std::to_string(i) +
-                     " is " + std::to_string((*indices)[i]) + ", but there are " +
-                     std::to_string(vertex_count) + " vertices");
+    return text::malformed(accessor_label(*at(place).indices, use) + ": index " +
+                           std::to_string(i) + " is " + std::to_string((*indices)[i]) +
+                           ", but there are " + std::to_string(vertex_count) + " vertices");
   }
   return indices;
 }
@@ -164,9 +165,9 @@ Result<std::vector<std::uint32_t>> PrimitiveReader::corners(PrimitivePlace place
 Result<void> PrimitiveReader::require_count(std::uint32_t accessor, std::uint64_t vertex_count,
                                             const std::string& use) const {
   if (reader_.count(accessor) == vertex_count) return {};
-  return malformed(accessor_label(accessor, use) + ": has " +
-                   std::to_string(reader_.count(accessor)) + " elements for " +
-                   std::to_string(vertex_count) + " vertices");
+  return text::malformed(accessor_label(accessor, use) + ": has " +
+                         std::to_string(reader_.count(accessor)) + " elements for " +
+                         std::to_string(vertex_count) + " vertices");
 }
 
 const GltfPrimitive& PrimitiveReader::at(PrimitivePlace place) const {

@@ -4,8 +4,8 @@
 #include "asset/container.hpp"
 #include "asset/file_bytes.hpp"
 #include "asset/mesh_merge.hpp"
-#include "asset/message.hpp"
 #include "asset/transform.hpp"
+#include "text/message.hpp"
 
 #include <optional>
 
@@ -65,7 +65,7 @@ Result<Asset> read_asset(GltfDocument& document, Buffers& buffers, Budget& budge
   if (!graph) return graph.error();
   Asset asset;
   for (const std::string& extension : document.passed_over_extensions) {
-    asset.warnings.push_back("extension " + asset::quoted(extension) + " is ignored");
+    asset.warnings.push_back("extension " + text::quoted(extension) + " is ignored");
   }
   AccessorReader reader(document, buffers, budget);
   const Result<void> merged = merge_meshes(document, *graph, options, reader, budget, asset);
@@ -77,6 +77,14 @@ Result<Asset> read_asset(GltfDocument& document, Buffers& buffers, Budget& budge
   asset.nodes = take_nodes(*graph, document);
   assemble(asset);
   return asset;
+}
+
+/// Adds the remedy for a file that violates the glTF format, which Pelt cannot repair. Returns
+/// errors of other kinds unchanged.
+Error with_remedy(const Error& error) {
+  if (error.code != ErrorCode::malformed_file) return error;
+  return text::malformed(error.message +
+                         ": fix it in the program that wrote the file, and export it again");
 }
 
 }  // namespace
@@ -118,7 +126,7 @@ Result<Asset> load_gltf(const std::filesystem::path& path, const GltfOptions& op
     if (!file) return file.error();
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     Result<Asset> asset = load_gltf(*file, folder, options);
-    if (!asset) return prefixed(path.string(), asset.error());
+    if (!asset) return text::prefixed(path.string(), asset.error());
     return asset;
   });
 }

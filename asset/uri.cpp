@@ -1,8 +1,8 @@
 #include "asset/uri.hpp"
 
 #include "asset/little_endian.hpp"
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -123,15 +123,15 @@ bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
 
 Result<std::vector<std::byte>> decode_data_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
-  if (comma == uri.npos) return malformed("a data URI without a comma");
+  if (comma == uri.npos) return text::malformed("a data URI without a comma");
   const std::string_view data = uri.substr(comma + 1);
   if (uri.substr(0, comma).ends_with(";base64")) {
     std::optional<std::vector<std::byte>> bytes = base64_decode(data);
-    if (!bytes) return malformed("a data URI that is not base64");
+    if (!bytes) return text::malformed("a data URI that is not base64");
     return *std::move(bytes);
   }
   const std::optional<std::string> text = percent_decode(data);
-  if (!text) return malformed("a data URI with an invalid percent code");
+  if (!text) return text::malformed("a data URI with an invalid percent code");
   const auto* first = reinterpret_cast<const std::byte*>(text->data());
   return std::vector<std::byte>(first, first + text->size());
 }
@@ -146,17 +146,18 @@ std::optional<fs::path> relative_file(std::string_view uri) {
 Result<fs::path> resolve_file_uri(std::string_view uri, const fs::path& folder) {
   const std::optional<std::string> path = percent_decode(uri);
   if (!path || !stays_below(*path)) {
-    return malformed("uri " + asset::quoted(uri) +
-                     " is not the name of a file in the folder of the .gltf");
+    return text::malformed("uri " + text::quoted(uri) +
+                           " is not the name of a file in the folder of the .gltf");
   }
   if (folder.empty()) {
-    return unsupported("uri " + asset::quoted(uri) +
-                       " refers to a file, but there is no folder to look in: export a .glb, which "
-                       "is self-contained");
+    return text::unsupported(
+        "uri " + text::quoted(uri) +
+        " refers to a file, but there is no folder to look in: export a .glb, which "
+        "is self-contained");
   }
   const fs::path file = folder / *path;
   if (!lies_in(file, folder)) {
-    return malformed("uri " + asset::quoted(uri) + " leaves the folder of the .gltf");
+    return text::malformed("uri " + text::quoted(uri) + " leaves the folder of the .gltf");
   }
   return file;
 }

@@ -1,7 +1,6 @@
 #include "scenes/excluded_nodes.hpp"
 
-#include "asset/message.hpp"
-#include "scenes/closest_name.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <set>
@@ -37,9 +36,9 @@ Error unknown_node(const Scene& scene, const std::string& name) {
   const std::vector<std::string_view> known(names.begin(), names.end());
   return {
       ErrorCode::invalid_argument,
-      "no node to exclude is named " + asset::quoted(name) +
+      "no node to exclude is named " + text::quoted(name) +
           (known.empty() ? ": the characters of the scene do not come from files, exclude nothing"
-                         : suggestion(name, known))};
+                         : text::suggestion(name, known))};
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include "scenes/ignored_pairs.hpp"
 
-#include "asset/message.hpp"
-#include "scenes/closest_name.hpp"
 #include "scenes/name_index.hpp"
 #include "scenes/names.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -36,7 +35,7 @@ Error unknown_name(CharacterSpan characters, std::string_view name) {
   const std::vector<std::string> names = all_names(characters, with_models);
   const std::vector<std::string_view> known(names.begin(), names.end());
   return {ErrorCode::invalid_argument,
-          "no part and no joint is named " + asset::quoted(name) + suggestion(name, known)};
+          "no part and no joint is named " + text::quoted(name) + text::suggestion(name, known)};
 }
 
 /// The distinct names of all pairs.
@@ -115,7 +114,7 @@ Result<IgnoredPairs> IgnoredPairs::make(CharacterSpan characters, std::span<cons
   for (NameList& partners : ignored.partners_) sort_unique(partners);
   for (const Character* character : characters) {
     const Result<TriangleLabels> labels = label_triangles(character->asset);
-    if (!labels) return asset::prefixed(character->source, labels.error());
+    if (!labels) return text::prefixed(character->source, labels.error());
     const NameIndex index(*character);
     const std::size_t size = index.part_count() + character->asset.joints.size();
     ignored.add_labels(*labels, index.part_count(), matching_names(index, size, numbers.names()));

@@ -4,15 +4,14 @@
 
 #include "asset/container.hpp"
 #include "asset/file_bytes.hpp"
-#include "asset/message.hpp"
 #include "asset/read_gltf.hpp"
 #include "asset/transform.hpp"
 #include "base/assert.hpp"
 #include "base/hash.hpp"
-#include "scenes/closest_name.hpp"
 #include "scenes/excluded_nodes.hpp"
 #include "scenes/scene_file.hpp"
 #include "scenes/takes.hpp"
+#include "text/message.hpp"
 
 #include <cmath>
 
@@ -45,7 +44,7 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
   for (const SceneFile::Model& model : file.models) {
     Result<Character> character = make_character(model, folder, options);
     if (!character) {
-      Error error = asset::prefixed("models." + model.name, character.error());
+      Error error = text::prefixed("models." + model.name, character.error());
       if (error.code == ErrorCode::unreadable_file) error.message += kRelative;
       return error;
     }
@@ -57,12 +56,12 @@ Result<Scene> make_scene(const SceneFile& file, const std::filesystem::path& fol
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const std::string place = "instances[" + std::to_string(i) + "].";
     if (const auto found = check_clip(scene, i); !found)
-      return asset::prefixed(place + "clip", found.error());
+      return text::prefixed(place + "clip", found.error());
     if (const auto found = check_morph_weights(scene, i); !found)
-      return asset::prefixed(place + "morph_weights", found.error());
+      return text::prefixed(place + "morph_weights", found.error());
   }
   if (const auto planned = plan_takes(scene); !planned)
-    return asset::prefixed("instances", planned.error());
+    return text::prefixed("instances", planned.error());
   return scene;
 }
 
@@ -100,7 +99,7 @@ bool names(const MorphWeight& morph, const asset::Asset& asset, std::size_t targ
 /// Describes why `morph` matches no target, starting with the character's name.
 std::string why_none(const MorphWeight& morph, const Character& character) {
   const auto& targets = character.asset.morph_targets;
-  const std::string begin = asset::quoted(character.name) + " has ";
+  const std::string begin = text::quoted(character.name) + " has ";
   if (targets.empty()) return begin + "no morph targets";
   if (std::holds_alternative<std::uint32_t>(morph.target))
     return begin + std::to_string(targets.size()) + " morph targets, found more weights than these";
@@ -108,7 +107,7 @@ std::string why_none(const MorphWeight& morph, const Character& character) {
   std::vector<std::string_view> known;
   known.reserve(targets.size());
   for (const asset::MorphTarget& target : targets) known.push_back(target.name);
-  return begin + "no morph target " + asset::quoted(name) + suggestion(name, known);
+  return begin + "no morph target " + text::quoted(name) + text::suggestion(name, known);
 }
 
 const asset::Clip* clip_of(const asset::Asset& asset, const Instance& instance) {
@@ -143,9 +142,9 @@ Result<Scene> read_scene(const std::filesystem::path& path, const asset::GltfOpt
   if (!bytes) return bytes.error();
   const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   if (text.starts_with("glTF") || is_prepared_model(*bytes))
-    return asset::prefixed(path.string(), asset::malformed(kNoScene));
+    return text::prefixed(path.string(), text::malformed(kNoScene));
   Result<Scene> scene = parse_scene(text, path.parent_path(), options);
-  if (!scene) return asset::prefixed(path.string(), scene.error());
+  if (!scene) return text::prefixed(path.string(), scene.error());
   scene->name = path.filename().string();
   return scene;
 }
@@ -167,7 +166,7 @@ Character generated(const char* name, const std::string& source, asset::Asset&& 
 }
 
 Result<void> check_beginning(std::span<const std::byte> beginning) {
-  if (is_prepared_model(beginning)) return asset::unsupported(kPrepared);
+  if (is_prepared_model(beginning)) return text::unsupported(kPrepared);
   return asset::check_beginning(beginning);
 }
 
@@ -179,7 +178,7 @@ Result<Character> read_character(const std::filesystem::path& path,
   // there are no external files.
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   Result<asset::ReadGltf> read = asset::read_gltf(*file, folder, options);
-  if (!read) return asset::prefixed(path.string(), read.error());
+  if (!read) return text::prefixed(path.string(), read.error());
   return Character{path.stem().string(),   path.string(), hash_of(*file),
                    std::move(read->asset), path,          std::move(read->views)};
 }
@@ -208,11 +207,11 @@ Result<void> check_clip(const Scene& scene, std::uint32_t instance) {
   const asset::Asset& asset = asset_of(scene, instance);
   if (!clip || asset.find_clip(*clip) != nullptr) return {};
   const std::string& character = character_of(scene, instance).name;
-  const std::string problem = asset::quoted(character) + " has no clip " + asset::quoted(*clip);
+  const std::string problem = text::quoted(character) + " has no clip " + text::quoted(*clip);
   if (asset.clips.empty()) return Error{ErrorCode::invalid_argument, problem + ", it has none"};
   std::vector<std::string_view> names;
   for (const asset::Clip& known : asset.clips) names.push_back(known.name);
-  return Error{ErrorCode::invalid_argument, problem + suggestion(*clip, names)};
+  return Error{ErrorCode::invalid_argument, problem + text::suggestion(*clip, names)};
 }
 
 Result<void> check_morph_weights(const Scene& scene, std::uint32_t instance) {

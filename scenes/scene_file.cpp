@@ -1,10 +1,9 @@
 #include "scenes/scene_file.hpp"
 
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
-#include "scenes/closest_name.hpp"
 #include "scenes/strict_object.hpp"
 #include "scenes/takes.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -57,7 +56,7 @@ std::optional<Skinning> read_skinning(const StrictObject& object) {
   if (*value == "linear") return Skinning::linear;
   if (*value == "dual-quaternion") return Skinning::dual_quaternion;
   const std::string found =
-      value->is_string() ? asset::quoted(value->get<std::string>()) : kind_of(*value);
+      value->is_string() ? text::quoted(value->get<std::string>()) : kind_of(*value);
   object.refuse(kKey, "expected \"linear\" or \"dual-quaternion\", found " + found);
   return std::nullopt;
 }
@@ -87,7 +86,8 @@ std::uint32_t read_character(const StrictObject& object, std::span<const SceneFi
   for (const SceneFile::Model& model : models) names.push_back(model.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    object.refuse("model", asset::quoted(name) + " is not in \"models\"" + suggestion(name, names));
+    object.refuse("model",
+                  text::quoted(name) + " is not in \"models\"" + text::suggestion(name, names));
   }
   return static_cast<std::uint32_t>(found - names.begin());
 }
@@ -123,7 +123,7 @@ std::vector<MorphWeight> read_morph_weights(const StrictObject& object) {
   }
   for (auto member = value->begin(); member != value->end(); ++member) {
     const std::string place = value->is_array() ? "element " + std::to_string(weights.size())
-                                                : asset::quoted(member.key());
+                                                : text::quoted(member.key());
     const double number = member->is_number() ? member->get<double>() : 0;
     if (!member->is_number())
       object.refuse(kKey, "expected a number for " + place + ", found " + kind_of(*member));
@@ -241,7 +241,7 @@ Result<SceneFile> parse_scene_file(std::string_view text) {
                   "leave it out");
   scene.ignore = read_ignore(file);
   scene.self = read_self_options(file);
-  if (problem) return asset::malformed(*problem);
+  if (problem) return text::malformed(*problem);
   return scene;
 }
 

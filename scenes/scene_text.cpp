@@ -1,7 +1,7 @@
 #include "scenes/scene_text.hpp"
 
-#include "asset/printable.hpp"
 #include "base/assert.hpp"
+#include "text/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 std::vector<std::string> distinct_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Character& character : scene.characters) {
-    const std::string first = asset::as_utf8(character.name);
+    const std::string first = text::as_utf8(character.name);
     std::string name = first;
     for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i)
       name = first + " " + std::to_string(i);

@@ -1,7 +1,6 @@
 #include "scenes/strict_object.hpp"
 
-#include "asset/message.hpp"
-#include "scenes/closest_name.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -145,7 +144,7 @@ void StrictObject::refuse_unknown_keys(std::span<const std::string_view> keys) c
   for (auto member = value_->begin(); member != value_->end(); ++member) {
     const std::string& key = member.key();
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    refuse("", "unknown key " + asset::quoted(key) + suggestion(key, keys));
+    refuse("", "unknown key " + text::quoted(key) + text::suggestion(key, keys));
   }
 }
 

@@ -1,7 +1,7 @@
 #include "scenes/takes.hpp"
 
-#include "asset/message.hpp"
 #include "base/assert.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ Error invalid(std::string message) { return {ErrorCode::invalid_argument, std::m
 
 Result<void> check_same_clips(const Character& first, const Character& other) {
   if (sorted_clip_names(first) == sorted_clip_names(other)) return {};
-  return invalid(asset::quoted(first.name) + " and " + asset::quoted(other.name) +
+  return invalid(text::quoted(first.name) + " and " + text::quoted(other.name) +
                  " have different clips, so \"*\" cannot play the clips of both: name one clip "
                  "for one of them");
 }
@@ -45,11 +45,11 @@ Result<const Character*> leading_character(const Scene& scene) {
 
 Result<void> check_all_clips(const Character& character) {
   const std::vector<std::string> names = sorted_clip_names(character);
-  const std::string name = asset::quoted(character.name);
+  const std::string name = text::quoted(character.name);
   if (names.empty()) return invalid(name + " has no clips, so \"*\" has nothing to play");
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if (twice == names.end()) return {};
-  return invalid(name + " has several clips named " + asset::quoted(*twice) +
+  return invalid(name + " has several clips named " + text::quoted(*twice) +
                  ", which \"*\" cannot tell apart: give each clip its own name");
 }
 

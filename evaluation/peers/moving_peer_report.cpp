@@ -1,5 +1,5 @@
 #include "evaluation/peers/moving_peer_figures.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <iomanip>
 
@@ -12,21 +12,21 @@ void print_moving_row(const MovingPeerFigures& figures, double pelt_us, std::ost
   out << std::left << std::setw(kMethodWidth) << figures.method << std::right;
   for (const double time : {figures.skinning_us, figures.update_us, figures.query_us,
                             figures.step_us, figures.step_us / pelt_us})
-    out << std::setw(kFigureWidth) << output::fixed(time, 1);
+    out << std::setw(kFigureWidth) << text::fixed(time, 1);
   const peers::MovingDifference& difference = figures.difference;
   for (const std::size_t count : {difference.missing_later, difference.missing_at_start,
                                   difference.extra, difference.early, difference.late})
-    out << std::setw(kFigureWidth) << output::with_commas(count);
+    out << std::setw(kFigureWidth) << text::with_commas(count);
   out << '\n';
 }
 
 }  // namespace
 
 void print_moving_peers(const MovingScenePeers& scene, std::ostream& out) {
-  out << scene.scene << ": " << output::with_commas(scene.triangles) << " triangles, "
-      << output::counted(scene.steps, "step") << " of which " << scene.steps_in_contact
-      << " in contact, " << output::with_commas(scene.contacts) << " contacts in all, "
-      << output::with_commas(scene.contacts_at_start) << " of them from the start of the step\n"
+  out << scene.scene << ": " << text::with_commas(scene.triangles) << " triangles, "
+      << text::counted(scene.steps, "step") << " of which " << scene.steps_in_contact
+      << " in contact, " << text::with_commas(scene.contacts) << " contacts in all, "
+      << text::with_commas(scene.contacts_at_start) << " of them from the start of the step\n"
       << "microseconds a step on one thread, medians of " << scene.repetitions
       << ", means over the steps; less is better\n"
       << std::left << std::setw(kMethodWidth) << "method" << std::right;

@@ -1,5 +1,5 @@
 #include "evaluation/peers/peer_figures.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <iomanip>
 
@@ -22,19 +22,19 @@ void print_row(const ScenePeers& scene, const PeerFigures& figures, std::ostream
       << std::setw(kWord) << figures.narrow_phase << std::right;
   for (const double time : {figures.skinning_us, figures.update_us, figures.all_us,
                             figures.first_us, figures.frame_us, figures.first_frame_us})
-    out << std::setw(kColumn) << output::fixed(time, 1);
-  out << std::setw(kColumn) << output::fixed(cost_over_pelt(scene, figures), 1);
+    out << std::setw(kColumn) << text::fixed(time, 1);
+  out << std::setw(kColumn) << text::fixed(cost_over_pelt(scene, figures), 1);
   for (const std::size_t count : {figures.difference.missing, figures.difference.extra})
-    out << std::setw(kColumn) << output::with_commas(count);
+    out << std::setw(kColumn) << text::with_commas(count);
   out << '\n';
 }
 
 }  // namespace
 
 void print_peers(const ScenePeers& scene, std::ostream& out) {
-  out << scene.scene << ": " << output::with_commas(scene.triangles) << " triangles, "
-      << output::counted(scene.frames, "frame") << " of which " << scene.frames_in_contact
-      << " in contact, " << output::with_commas(scene.contacts) << " contacts in all\n"
+  out << scene.scene << ": " << text::with_commas(scene.triangles) << " triangles, "
+      << text::counted(scene.frames, "frame") << " of which " << scene.frames_in_contact
+      << " in contact, " << text::with_commas(scene.contacts) << " contacts in all\n"
       << "microseconds a frame on one thread, medians of " << scene.repetitions
       << ", means over the frames; less is better"
       << (scene.contest == Contest::self ? "; \"of pelt's\" without the skinning of others\n"

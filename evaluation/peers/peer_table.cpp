@@ -3,13 +3,13 @@
 
 #include "evaluation/peers/moving_peer_figures.hpp"
 #include "evaluation/peers/peer_figures.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/process.hpp"
 #include "tools/pelt/output/progress.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -32,8 +32,8 @@ Result<std::vector<std::uint32_t>> chosen_frames(const std::string& text,
   const Result<arguments::FrameRange> range = arguments::parse_frame_range(text);
   if (!range) return range.error();
   if (range->end <= scene.frame_count) return range->frames();
-  return output::bad_argument("--frames", text + " goes beyond the last frame",
-                              scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+  return text::bad_argument("--frames", text + " goes beyond the last frame",
+                            scene.name + " has frames 0:" + std::to_string(scene.frame_count));
 }
 
 Result<ScenePeers> measure_input(const Arguments& arguments, std::size_t i) {

@@ -6,8 +6,8 @@
 #include "evaluation/methods/lab_moving_methods.hpp"
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/reproduce/scene_texts.hpp"
+#include "text/format.hpp"
 #include "tools/pelt/bench/bench_moving.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -205,8 +205,8 @@ Result<Table> between_frames_table(const std::string& id, const std::string& tit
                   {"double", "decided in double [%]"},
                   {"exact", "pairs decided in exact arithmetic"}},
                  {},
-                 tools::output::counted(figures->steps, "step") + " from one frame to the next; " +
-                     tools::output::with_commas(figures->triangles) +
+                 text::counted(figures->steps, "step") + " from one frame to the next; " +
+                     text::with_commas(figures->triangles) +
                      " triangles. Skinning all vertices once takes " + shown(figures->skinning_us) +
                      " us per step, and is part of the update of " + title_of(methods::kEager) +
                      ". Medians of " + std::to_string(figures->repetitions) +

@@ -1,6 +1,6 @@
 #include "evaluation/reproduce/chart_axis.hpp"
 
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ std::string range(const std::string& axis, const Range& of) {
 /// A number without an exponent: "0.05", "1,000,000".
 std::string label(double figure) {
   return figure < 1 ? number(figure)
-                    : tools::output::with_commas(static_cast<std::uint64_t>(std::llround(figure)));
+                    : text::with_commas(static_cast<std::uint64_t>(std::llround(figure)));
 }
 
 /// Whether `digit` (1 to 9) times a power of ten has a label. With fewer decades, more tics have

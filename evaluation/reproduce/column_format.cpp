@@ -1,6 +1,6 @@
 #include "evaluation/reproduce/column_format.hpp"
 
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +33,10 @@ int significant_decimals(double figure) {
 
 /// "-1,234.50"
 std::string with_decimals(double figure, int decimals) {
-  const std::string digits = tools::output::fixed(std::fabs(figure), decimals);
+  const std::string digits = text::fixed(std::fabs(figure), decimals);
   const std::size_t point = std::min(digits.find('.'), digits.size());
-  return (figure < 0 ? "-" : "") +
-         tools::output::with_commas(std::stoull(digits.substr(0, point))) + digits.substr(point);
+  return (figure < 0 ? "-" : "") + text::with_commas(std::stoull(digits.substr(0, point))) +
+         digits.substr(point);
 }
 
 }  // namespace

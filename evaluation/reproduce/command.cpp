@@ -2,19 +2,18 @@
 
 #include <pelt/version.hpp>
 
-#include "asset/message.hpp"
 #include "evaluation/reproduce/command.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/files.hpp"
 #include "evaluation/reproduce/real_models.hpp"
 #include "evaluation/reproduce/summary.hpp"
-#include "scenes/closest_name.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/machine.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -52,7 +51,7 @@ Result<std::vector<Experiment>> all_experiments(bool has_peers) {
   if (!has_peers) return all;
   const Experiment* const peers = reproduce::peers_experiment();
   if (peers == nullptr)
-    return output::bad_argument(
+    return text::bad_argument(
         "--peers", "pelt-lab was built without adapters to other libraries",
         "build it with -DPELT_BENCH_PEERS=ON, see evaluation/peers/README.md");
   all.push_back(*peers);
@@ -66,12 +65,12 @@ Result<std::vector<Experiment>> chosen_experiments(const std::vector<Experiment>
   std::vector<std::string_view> known;
   for (const Experiment& experiment : all) known.push_back(experiment.id);
   std::vector<Experiment> chosen;
-  for (const std::string_view id : output::split(only, ',')) {
+  for (const std::string_view id : text::split(only, ',')) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Experiment& e) { return e.id == id; });
     if (found == all.end())
       return Error{ErrorCode::invalid_argument,
-                   "--only: no experiment " + asset::quoted(id) + scenes::suggestion(id, known)};
+                   "--only: no experiment " + text::quoted(id) + text::suggestion(id, known)};
     chosen.push_back(*found);
   }
   return chosen;
@@ -90,7 +89,7 @@ std::vector<std::string> provenance(const Arguments& arguments) {
   const bench::Machine machine = bench::this_machine();
   std::vector<std::string> lines = {
       "Measured on " + today() + ": " + machine.cpu + ", " + std::to_string(machine.cores) +
-          " cores, " + output::fixed(machine.memory_gib, 0) + " GiB of memory, " + machine.system +
+          " cores, " + text::fixed(machine.memory_gib, 0) + " GiB of memory, " + machine.system +
           ".",
       "pelt " PELT_VERSION ", " + machine.compiler + " " + machine.flags + ", " + machine.build +
           "; Pelt's and the rivals' hot code for " + machine.instruction_set + "."};
@@ -131,8 +130,8 @@ Result<arguments::ExitCode> reproduce_all(const Arguments& arguments) {
   const auto chosen = chosen_experiments(*all, arguments.only);
   if (!chosen) return chosen.error();
   if (!arguments.models.empty() && !std::filesystem::is_directory(arguments.models))
-    return output::bad_argument("--models", arguments.models + " is not a folder",
-                                "give a folder with .glb files");
+    return text::bad_argument("--models", arguments.models + " is not a folder",
+                              "give a folder with .glb files");
   if (const auto checked = check_folder(arguments); !checked) return checked.error();
   if (const auto made = reproduce::make_folders(arguments.folder); !made) return made.error();
   Report report;
@@ -142,7 +141,7 @@ Result<arguments::ExitCode> reproduce_all(const Arguments& arguments) {
               << experiment.title << std::endl;  // progress bars are drawn on the lines below
     Result<Section> section = run_experiment(experiment, {arguments.is_quick, arguments.models});
     if (!section) return section.error();
-    std::cout << "    " << output::fixed(section->seconds, 1) << " s" << std::endl;
+    std::cout << "    " << text::fixed(section->seconds, 1) << " s" << std::endl;
     report.sections.push_back(std::move(*section));
   }
   report.sections.insert(report.sections.begin(), summary(report.sections));

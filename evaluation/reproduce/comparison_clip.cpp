@@ -5,8 +5,8 @@
 #include "evaluation/reproduce/heap_bytes.hpp"
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/reproduce/scene_texts.hpp"
+#include "text/format.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -85,7 +85,7 @@ Memory memory_of(MethodKind method, const SkinnedModel& model,
 }
 
 std::string note_of(const tools::bench::SceneFigures& figures, const Conditions& conditions) {
-  return how_measured(tools::output::counted(figures.frames, "frame") + ", " +
+  return how_measured(text::counted(figures.frames, "frame") + ", " +
                           std::to_string(figures.figures[0].answer.frames_in_contact) +
                           " of them in contact; all contacts. Cold: 64 MB are read before every "
                           "frame, which empties the caches.",

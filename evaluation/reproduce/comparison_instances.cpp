@@ -6,7 +6,7 @@
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/rivals/hash_crowd.hpp"
 #include "scenes/creature/random.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <cmath>
 
@@ -65,7 +65,7 @@ Table empty_table(const scenes::Character& creature, const Conditions& condition
       "All contacts of a crowd of walkers, over their number",
       {{"instances", "instances"}, {"contacts", "contacts"}},
       {},
-      how_measured("Creatures of " + tools::output::with_commas(creature.asset.triangles.size()) +
+      how_measured("Creatures of " + text::with_commas(creature.asset.triangles.size()) +
                        " triangles on a plain, 0.5 to 1.4 units from "
                        "their neighbours. Pairs are queried one by one, except by Pelt's "
                        "crowd and the hash in one grid, which query all at once. Wall time.",

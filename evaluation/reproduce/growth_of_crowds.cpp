@@ -3,7 +3,7 @@
 #include "evaluation/programs/walking_crowd.hpp"
 #include "evaluation/reproduce/growth.hpp"
 #include "evaluation/reproduce/pairwise_run.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -79,7 +79,7 @@ Result<Table> growth_by_instances(std::span<const std::uint32_t> instances,
        {"contacts", "contacts"},
        {"touching_pairs", "pairs in contact"}},
       {},
-      "Creatures of " + tools::output::with_commas(walkers->model.triangle_count()) +
+      "Creatures of " + text::with_commas(walkers->model.triangle_count()) +
           " triangles that walk on a plain, 0.5 to 1.4 units from their neighbours. The time is "
           "that of setting palettes and finding all contacts on one thread. Contacts are those of "
           "the last timed frame."};

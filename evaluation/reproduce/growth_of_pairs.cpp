@@ -3,7 +3,7 @@
 #include "evaluation/reproduce/facing_pair.hpp"
 #include "evaluation/reproduce/growth.hpp"
 #include "evaluation/reproduce/scene_figures.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -42,8 +42,8 @@ Result<std::size_t> append_generated(double size, const scenes::CreatureOptions&
 
 /// "Two creatures of 56 joints, 0.6 units apart; all contacts."
 std::string interfering_pair(std::size_t count, const char* things) {
-  return "Two creatures of " + tools::output::with_commas(count) + " " + things + ", " +
-         tools::output::fixed(kInterfering, 1) + " units apart; all contacts.";
+  return "Two creatures of " + text::with_commas(count) + " " + things + ", " +
+         text::fixed(kInterfering, 1) + " units apart; all contacts.";
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "evaluation/reproduce/column_format.hpp"
 #include "evaluation/reproduce/micro_sign.hpp"
-#include "tools/pelt/output/base64.hpp"
+#include "text/format.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -143,7 +143,7 @@ std::string html_figure(const ImageKind& kind, const std::string& id, const std:
   const auto image = images.find(id);
   if (image == images.end()) return element("p", "(not drawn: " + caption + ")", " class=\"note\"");
   return "<figure id=\"" + (kind.prefix + id) + "\"><img alt=\"" + typeset(caption) +
-         "\" src=\"data:" + kind.type + ";base64," + tools::output::base64(image->second) + "\">" +
+         "\" src=\"data:" + kind.type + ";base64," + text::base64(image->second) + "\">" +
          (kind.has_caption ? element("figcaption", caption) : "") + "</figure>\n";
 }
 

@@ -5,8 +5,8 @@
 #include "evaluation/reproduce/experiment.hpp"
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/reproduce/scene_texts.hpp"
+#include "text/format.hpp"
 #include "tools/pelt/arguments/values.hpp"
-#include "tools/pelt/output/text.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -45,9 +45,9 @@ Table table_of(const std::string& id, const std::string& title, const tools::Sce
                   {"extra", "extra pairs"},
                   {"of_pelt", "cost over Pelt"}},
                  {},
-                 tools::output::counted(scene.frames, "frame") + ", " +
+                 text::counted(scene.frames, "frame") + ", " +
                      std::to_string(scene.frames_in_contact) + " of them in contact, with " +
-                     tools::output::with_commas(scene.contacts) + " contacts in all. Medians of " +
+                     text::with_commas(scene.contacts) + " contacts in all. Medians of " +
                      std::to_string(scene.repetitions) +
                      " repetitions, means over the frames; one thread, hot caches. Skinning is "
                      "measured as a separate method; " +
@@ -111,9 +111,9 @@ Result<Table> measure_moving_peer_walk(const Conditions& conditions) {
                   {"early", "times too early"},
                   {"late", "times too late"}},
                  {},
-                 tools::output::counted(figures->steps, "step") + ", " +
-                     tools::output::with_commas(figures->contacts) + " contacts in all, " +
-                     tools::output::with_commas(figures->contacts_at_start) +
+                 text::counted(figures->steps, "step") + ", " +
+                     text::with_commas(figures->contacts) + " contacts in all, " +
+                     text::with_commas(figures->contacts_at_start) +
                      " of them from the start of the step. A time is wrong if it differs by more "
                      "than 0.0001 of a step. FCL's tolerances are absolute: the last row is FCL "
                      "with positions in millimetres instead of metres."};

@@ -7,7 +7,7 @@
 #include "evaluation/reproduce/refit_time.hpp"
 #include "evaluation/reproduce/specimen.hpp"
 #include "paper/on_demand.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <algorithm>
 
@@ -80,7 +80,7 @@ Result<Table> vertices_table(const Conditions& conditions) {
   options.triangles = triangles;
   const Result<Specimen> creature = make_specimen(options);
   if (!creature) return creature.error();
-  table.note = "A creature of " + tools::output::with_commas(creature->model.triangle_count()) +
+  table.note = "A creature of " + text::with_commas(creature->model.triangle_count()) +
                " triangles, and the same with other weights: all its vertices follow the same two "
                "joints. Both have the same tree.";
   const Palette palette = walking_palette(*creature, kSeconds);

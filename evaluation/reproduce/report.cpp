@@ -1,7 +1,7 @@
 #include "evaluation/reproduce/report.hpp"
 
 #include "base/assert.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,10 @@ std::size_t column_of(const Table& table, const std::string& key) {
 std::string shown(double figure) {
   const double size = std::fabs(figure);
   if (size >= 100 || figure == std::floor(figure))
-    return (figure < 0 ? "-" : "") +
-           tools::output::with_commas(static_cast<std::uint64_t>(size + 0.5));
+    return (figure < 0 ? "-" : "") + text::with_commas(static_cast<std::uint64_t>(size + 0.5));
   int decimals = 2;
   for (double digit = 1; digit > 1e-6 && size < digit; digit /= 10) ++decimals;
-  return tools::output::fixed(figure, size >= 10 ? 1 : decimals);
+  return text::fixed(figure, size >= 10 ? 1 : decimals);
 }
 
 std::string shown(const Cell& cell) { return cell.figure ? shown(*cell.figure) : cell.name; }

@@ -2,9 +2,9 @@
 
 #include "base/assert.hpp"
 #include "evaluation/reproduce/method_title.hpp"
+#include "text/format.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
 #include "tools/pelt/methods/self_methods.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -36,10 +36,10 @@ std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
 }
 
 std::string summary(const SceneFigures& scene) {
-  return tools::output::counted(scene.frames, "frame") + ", " +
+  return text::counted(scene.frames, "frame") + ", " +
          std::to_string(scene.figures[0].answer.frames_in_contact) + " of them in contact, with " +
          shown(contact_count(scene)) + " contacts per frame on average; " +
-         tools::output::with_commas(scene.triangles) + " triangles. Skinning all vertices takes " +
+         text::with_commas(scene.triangles) + " triangles. Skinning all vertices takes " +
          shown(scene.skinning.mean_us) + " us per frame. Medians of " +
          std::to_string(scene.repetitions) +
          " repetitions, means over the frames, one thread, caches hot; all methods give the same "

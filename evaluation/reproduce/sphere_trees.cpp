@@ -7,8 +7,8 @@
 #include "geometry/box4.hpp"
 #include "model/model.hpp"
 #include "paper/on_demand.hpp"
+#include "text/format.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -35,7 +35,7 @@ std::vector<Cell> tree_row(const std::string& name, const SphereTree& tree) {
 
 Table tree_table(std::size_t triangles, const SphereTree& binary, const SphereTree& collapsed) {
   return {"sphere_trees",
-          "Sphere tree of the creature, " + tools::output::with_commas(triangles) + " triangles",
+          "Sphere tree of the creature, " + text::with_commas(triangles) + " triangles",
           {{"tree", "tree"},
            {"spheres", "spheres"},
            {"levels", "levels"},

@@ -18,18 +18,18 @@ import sys
 LIBRARY = ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin", "src/model", "src/pose",
            "src/query", "src/motion", "src/collide", "src/self", "src/bounds", "src/ray", "src/distance",
            "src/field", "src/solid", "src/contact", "src/inside", "src/volume", "src/crowd"]
-FLOORS = [*LIBRARY, "asset", "scenes", "bindings/python", "bindings", "paper",
+FLOORS = [*LIBRARY, "text", "asset", "scenes", "bindings/python", "bindings", "paper",
           *("tools/pelt/" + f for f in ("output", "arguments", "methods", "scene", "query", "bench",
                                         "picture", "prepared", "page", "check", "list", "shard",
                                         "verbs")),
           "tools/pelt"]
 
-COMMAND = ["asset", "scenes", *(f for f in FLOORS if f.startswith("tools/pelt"))]
+COMMAND = ["text", "asset", "scenes", *(f for f in FLOORS if f.startswith("tools/pelt"))]
 EVALUATION = {
     "evaluation/rivals": [*LIBRARY, "paper"],
     "evaluation/methods": [*LIBRARY, "tools/pelt/methods", "paper", "evaluation/rivals"],
     "evaluation/peers": [*LIBRARY, *COMMAND, "evaluation/rivals", "evaluation/methods"],
-    "evaluation/programs": [*LIBRARY, "asset", "scenes", "tools/pelt/output",
+    "evaluation/programs": [*LIBRARY, "text", "asset", "scenes", "tools/pelt/output",
                             "tools/pelt/scene", "evaluation/peers"],
     "evaluation/reproduce": [*LIBRARY, *COMMAND, "paper", "evaluation/rivals",
                              "evaluation/methods", "evaluation/peers", "evaluation/programs"],
@@ -42,7 +42,8 @@ FOLDERS = [*FLOORS, *EVALUATION, "docs/examples", "tests"]
 MAY_INCLUDE_PAPER = ("tools/pelt/methods", *EVALUATION)
 MAY_INCLUDE_ONLY = {
     "include/pelt": ["include/pelt"],
-    "asset": ["include/pelt", "src/base", "asset"],
+    "text": ["include/pelt", "text"],
+    "asset": ["include/pelt", "src/base", "text", "asset"],
     "bindings/python": ["include/pelt", "bindings/python"],
     "docs/examples": ["include/pelt"],
     "paper": ["include/pelt", "src/base", "src/exact", "src/geometry", "src/skin"],

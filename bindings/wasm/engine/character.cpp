@@ -3,7 +3,6 @@
 #include <pelt/bounds.hpp>
 #include <pelt/model.hpp>
 
-#include "asset/message.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/options.hpp"
@@ -13,8 +12,8 @@
 #include "model/model.hpp"
 #include "model/surface.hpp"
 #include "scenes/clip_samples.hpp"
-#include "scenes/closest_name.hpp"
 #include "scenes/names.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -45,10 +44,10 @@ Result<SkinnedModel> build(const asset::Asset& asset, SkinnedMeshView mesh,
 Result<scenes::Character> read_character(std::span<const std::byte> file, const Options& options) {
   const std::string name = options.text("name");
   if (is_prepared_model(file))
-    return asset::prefixed(name, asset::unsupported("is a prepared model: read the glTF file "
-                                                    "that it was prepared from"));
+    return text::prefixed(name, text::unsupported("is a prepared model: read the glTF file "
+                                                  "that it was prepared from"));
   Result<asset::Asset> read = asset::load_gltf(file, options.text("folder"), options.gltf());
-  if (!read) return asset::prefixed(name, read.error());
+  if (!read) return text::prefixed(name, read.error());
   return scenes::Character{name, name, 0, std::move(*read)};
 }
 
@@ -75,8 +74,8 @@ Result<Preparation> choose_preparation(const asset::Asset& asset, std::span<cons
     if (clip == nullptr) {
       std::vector<std::string_view> known;
       for (const asset::Clip& one : asset.clips) known.push_back(one.name);
-      return Error{ErrorCode::invalid_argument, "clips: there is no clip " + asset::quoted(name) +
-                                                    scenes::suggestion(name, known)};
+      return Error{ErrorCode::invalid_argument,
+                   "clips: there is no clip " + text::quoted(name) + text::suggestion(name, known)};
     }
     preparation.clips.push_back(clip);
   }
@@ -87,7 +86,7 @@ std::uint32_t prepare_read(Result<scenes::Character> read, std::span<const float
                            const Options& options) {
   if (!read) return refuse(read.error());
   const Result<Preparation> preparation = choose_preparation(read->asset, caps, options);
-  if (!preparation) return refuse(asset::prefixed(read->name, preparation.error()));
+  if (!preparation) return refuse(text::prefixed(read->name, preparation.error()));
   return answer_handle(prepare(std::move(*read), *preparation));
 }
 
@@ -161,16 +160,15 @@ Result<Body*> Character::body(std::uint32_t number) {
   if (number == kWhole) return &whole;
   parts.resize(asset().parts.size());
   if (number >= parts.size() || asset().parts[number].triangle_count == 0) {
-    return Error{ErrorCode::invalid_argument, "part: " + asset::quoted(read.name) +
-                                                  " has no part " + std::to_string(number) +
-                                                  " with triangles"};
+    return Error{ErrorCode::invalid_argument, "part: " + text::quoted(read.name) + " has no part " +
+                                                  std::to_string(number) + " with triangles"};
   }
   if (parts[number]) return parts[number].get();
   const asset::Part& part = asset().parts[number];
   SkinnedMeshView mesh = asset().mesh();
   mesh.triangles = mesh.triangles.subspan(part.first_triangle, part.triangle_count);
   Result<SkinnedModel> model = build(asset(), mesh, preparation);
-  if (!model) return asset::prefixed(read.source, in_words_of_javascript(model.error()));
+  if (!model) return text::prefixed(read.source, in_words_of_javascript(model.error()));
   parts[number] = std::make_unique<Body>(Body{std::move(*model), part.first_triangle});
   return parts[number].get();
 }
@@ -188,7 +186,7 @@ asset::SampleScratch& sample_scratch() {
 Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation) {
   if (!preparation.skinning) preparation.skinning = read.skinning;
   Result<SkinnedModel> model = build(read.asset, read.asset.mesh(), preparation);
-  if (!model) return asset::prefixed(read.source, in_words_of_javascript(model.error()));
+  if (!model) return text::prefixed(read.source, in_words_of_javascript(model.error()));
   return CharacterHandle{std::make_shared<Character>(
       Character{std::move(read), std::move(preparation), {std::move(*model), 0, {}}, {}, {}})};
 }
@@ -253,7 +251,7 @@ PELT_EXPORT std::uint32_t pelt_extent(const CharacterHandle* handle) {
   asset::sample_palette(character.asset(), nullptr, 0, {}, sample_scratch(), palette);
   Pose pose(character.whole.model);
   if (const Result<void> set = pose.set_palette(palette); !set)
-    return refuse(asset::prefixed(character.read.name, set.error()));
+    return refuse(text::prefixed(character.read.name, set.error()));
   Bounds found;
   exact_bounds(pose, found);
   answer_box(found.box);

@@ -2,7 +2,6 @@
 
 #include <pelt/crowd.hpp>
 
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "base/hash.hpp"
 #include "bindings/wasm/engine/answer.hpp"
@@ -10,6 +9,7 @@
 #include "bindings/wasm/engine/kept_offsets.hpp"
 #include "bindings/wasm/engine/moving_columns.hpp"
 #include "scenes/ignored_pairs.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -265,7 +265,7 @@ PELT_EXPORT void pelt_set_crowd_part_filter(CrowdHandle* handle, std::uint32_t i
 /// `pairs` is the JSON of an array of pairs of names.
 PELT_EXPORT std::uint32_t pelt_ignore_in_crowd(CrowdHandle* handle, const char* pairs) {
   const auto parsed = asset::parse_json(pairs);
-  if (!parsed) return refuse(asset::prefixed("ignore", parsed.error()));
+  if (!parsed) return refuse(text::prefixed("ignore", parsed.error()));
   handle->ignored.reset();
   handle->ignore.clear();
   for (const nlohmann::json& pair : **parsed)

@@ -1,8 +1,7 @@
 /// Calls the decoder of EXT_meshopt_compression that was passed in from JavaScript.
 
 #include "asset/meshopt.hpp"
-
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 #include <emscripten.h>
 
@@ -64,7 +63,7 @@ Result<void> decompress(const GltfMeshopt& meshopt, std::span<const std::byte> c
       out.data(), static_cast<unsigned>(meshopt.count), static_cast<unsigned>(meshopt.stride),
       compressed.data(), static_cast<unsigned>(compressed.size()), name_of(meshopt.mode),
       name_of(meshopt.filter), problem.data(), static_cast<unsigned>(problem.size()));
-  if (there == 0) return unsupported(kNone);
+  if (there == 0) return text::unsupported(kNone);
   if (problem[0] == '\0') return {};
   return Error{ErrorCode::invalid_argument,
                std::string("the compressed bytes are damaged, or meshoptDecode is not what it "

@@ -1,16 +1,15 @@
 #include "bindings/wasm/engine/options.hpp"
 
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "bindings/wasm/engine/answer.hpp"
-#include "scenes/closest_name.hpp"
+#include "text/message.hpp"
 
 namespace pelt::wasm {
 
 Result<Options> Options::read(std::string_view json) {
   const Result<asset::ParsedJson> parsed = asset::parse_json(json);
   if (!parsed)
-    return Error{ErrorCode::invalid_argument, asset::prefixed("options", parsed.error()).message};
+    return Error{ErrorCode::invalid_argument, text::prefixed("options", parsed.error()).message};
   return Options(std::move(**parsed));
 }
 
@@ -79,7 +78,7 @@ PELT_EXPORT const char* pelt_suggestion(const char* words) {
   if (!parsed) return "";
   const auto names = (*parsed)->get<std::vector<std::string>>();
   const std::vector<std::string_view> known(names.begin() + 1, names.end());
-  return answer_text(scenes::suggestion(names.front(), known));
+  return answer_text(text::suggestion(names.front(), known));
 }
 
 }  // namespace pelt::wasm

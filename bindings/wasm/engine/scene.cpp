@@ -1,6 +1,5 @@
 /// Reads scene files like the command.
 
-#include "asset/message.hpp"
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/options.hpp"
@@ -8,6 +7,7 @@
 #include "scenes/demo.hpp"
 #include "scenes/ignored_pairs.hpp"
 #include "scenes/takes.hpp"
+#include "text/message.hpp"
 
 namespace pelt::wasm {
 namespace {
@@ -41,14 +41,14 @@ json describe(const scenes::Instance& instance) {
 Result<void> check_ignored(const scenes::Scene& scene, const asset::GltfOptions& options) {
   if (!options.unskinned_parts || !options.exclude_nodes.empty()) return {};
   const auto known = scenes::check_names(scenes::characters_of(scene), scene.ignore);
-  return known ? known : asset::prefixed(scene.name + ": ignore", known.error());
+  return known ? known : text::prefixed(scene.name + ": ignore", known.error());
 }
 
 /// Returns an error if an instance plays all clips, because frames of this scene have no takes.
 Result<void> check_clips(const scenes::Scene& scene) {
   if (scene.takes.empty()) return {};
-  return asset::unsupported(scene.name +
-                            ": only the command can play all clips with \"*\": name one clip");
+  return text::unsupported(scene.name +
+                           ": only the command can play all clips with \"*\": name one clip");
 }
 
 Result<std::vector<CharacterHandle>> prepare_all(scenes::Scene& scene, const Options& options) {

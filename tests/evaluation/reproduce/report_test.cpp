@@ -2,7 +2,7 @@
 
 #include "evaluation/reproduce/files.hpp"
 #include "evaluation/reproduce/html.hpp"
-#include "tools/pelt/output/base64.hpp"
+#include "text/format.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,12 +35,12 @@ TEST(Shown, KeepsThreeDigitsOrMore) {
 }
 
 TEST(Base64, IsThatOfTheRfc) {
-  EXPECT_EQ(tools::output::base64(""), "");
-  EXPECT_EQ(tools::output::base64("f"), "Zg==");
-  EXPECT_EQ(tools::output::base64("fo"), "Zm8=");
-  EXPECT_EQ(tools::output::base64("foo"), "Zm9v");
-  EXPECT_EQ(tools::output::base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(tools::output::base64("\xff\xfe\xfd"), "//79");
+  EXPECT_EQ(text::base64(""), "");
+  EXPECT_EQ(text::base64("f"), "Zg==");
+  EXPECT_EQ(text::base64("fo"), "Zm8=");
+  EXPECT_EQ(text::base64("foo"), "Zm9v");
+  EXPECT_EQ(text::base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(text::base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(Csv, QuotesWhatHasToBe) {

@@ -1,7 +1,7 @@
 /// Names from files never control the terminal, neither in output nor in error messages.
 
-#include "asset/printable.hpp"
 #include "support/gltf_builder.hpp"
+#include "text/printable.hpp"
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
 
@@ -35,10 +35,10 @@ GltfBuilder strip_named(const std::string& name) {
 std::string problem_of(std::string_view text) {
   std::size_t line = 0;
   while (!text.empty()) {
-    const asset::CodePoint point = asset::first_code_point(text);
+    const text::CodePoint point = text::first_code_point(text);
     line = point.value == '\n' ? 0 : line + point.bytes;
-    if (point.value == asset::CodePoint::kNone) return "a byte that is not UTF-8";
-    if (point.value != '\n' && asset::steers_terminal(point.value))
+    if (point.value == text::CodePoint::kNone) return "a byte that is not UTF-8";
+    if (point.value != '\n' && text::steers_terminal(point.value))
       return "code point " + std::to_string(point.value);
     if (line > 1000) return "a line of more than 1000 bytes";
     text.remove_prefix(point.bytes);

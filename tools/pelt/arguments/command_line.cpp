@@ -2,12 +2,11 @@
 
 #include <pelt/version.hpp>
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
-#include "scenes/closest_name.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/process.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -23,7 +22,7 @@ namespace {
 int code(ExitCode exit) { return static_cast<int>(exit); }
 
 int refuse(const Program& program, const std::string& message) {
-  std::cerr << program.name << ": error: " << asset::printable(message) << '\n';
+  std::cerr << program.name << ": error: " << text::printable(message) << '\n';
   return code(ExitCode::bad_input);
 }
 
@@ -39,17 +38,17 @@ std::string meant_option(const CLI::App& verb, std::string_view option) {
   std::vector<std::string_view> known;
   for (const CLI::Option* one : verb.get_options())
     known.insert(known.end(), one->get_lnames().begin(), one->get_lnames().end());
-  const auto closest = scenes::closest_name(option, known);
+  const auto closest = text::closest_name(option, known);
   return closest ? "--" + std::string(*closest) : "";
 }
 
 /// For an argument that the verb does not know, CLI11 only says that it "was not expected".
 std::string words_for_unread(const CLI::App& verb, const std::string& argument) {
-  if (!argument.starts_with('-')) return asset::quoted(argument) + " is an unexpected argument";
+  if (!argument.starts_with('-')) return text::quoted(argument) + " is an unexpected argument";
   const std::string option = argument.substr(0, argument.find('='));
-  const std::string problem = "there is no option " + asset::quoted(option);
+  const std::string problem = "there is no option " + text::quoted(option);
   const std::string meant = meant_option(verb, option);
-  return meant.empty() ? problem : problem + ", did you mean " + asset::quoted(meant) + "?";
+  return meant.empty() ? problem : problem + ", did you mean " + text::quoted(meant) + "?";
 }
 
 /// For a missing or unknown verb, CLI11 only says that some "subcommand" is required.
@@ -66,8 +65,8 @@ std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
   names.reserve(verbs.size());
   for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
-  if (unread.empty()) return "no verb is given" + scenes::suggestion("", known);
-  return asset::quoted(unread[0]) + " is not a verb" + scenes::suggestion(unread[0], known);
+  if (unread.empty()) return "no verb is given" + text::suggestion("", known);
+  return text::quoted(unread[0]) + " is not a verb" + text::suggestion(unread[0], known);
 }
 
 /// Returns the command that shows help for the arguments.
@@ -143,7 +142,7 @@ std::vector<std::string> choices_of(const CLI::App* verb, const std::string& arg
   if (option == nullptr || option->get_expected_min() != 0 || option->get_expected_max() != 1)
     return {};
   const std::string names = option->get_type_name();
-  const std::vector<std::string_view> choices = output::split(names, '|');
+  const std::vector<std::string_view> choices = text::split(names, '|');
   return {choices.begin(), choices.end()};
 }
 
@@ -192,7 +191,7 @@ int run_command_line(const Program& program, int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return refuse_to_start(program);
   } catch (const std::exception& error) {
-    std::cerr << program.name << ": internal error: " << asset::printable(error.what()) << '\n';
+    std::cerr << program.name << ": internal error: " << text::printable(error.what()) << '\n';
   } catch (...) {
     std::cerr << program.name << ": internal error\n";
   }

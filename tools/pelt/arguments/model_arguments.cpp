@@ -3,7 +3,7 @@
 #include "asset/file_bytes.hpp"
 #include "scenes/excluded_nodes.hpp"
 #include "skin/skinned_mesh.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/message.hpp"
 
 #include <filesystem>
 
@@ -73,7 +73,7 @@ Result<scenes::Character> load_named_character(const std::string& path,
   Result<scenes::Character> character = scenes::load_character(path, own);
   if (character || character.error().code != ErrorCode::malformed_file || is_named_as_gltf(path))
     return character;
-  return output::bad_argument(path, "is not a model", std::string("give ") + kinds);
+  return text::bad_argument(path, "is not a model", std::string("give ") + kinds);
 }
 
 Result<SkinnedModel> build_named_model(const scenes::Character& character,

@@ -1,9 +1,9 @@
 #include "tools/pelt/arguments/region_arguments.hpp"
 
-#include "asset/message.hpp"
 #include "asset/transform.hpp"
 #include "base/vec3.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
 
 #include <array>
 #include <cmath>
@@ -30,14 +30,14 @@ constexpr Kind kKinds[] = {
 
 Result<std::vector<float>> parse_numbers(const Kind& kind, const std::string& text) {
   std::vector<float> numbers;
-  for (const std::string_view field : output::split(text, ',')) {
+  for (const std::string_view field : text::split(text, ',')) {
     double number = 0;
-    if (!output::parse_number(field, number) || !(std::fabs(number) <= 1e12)) break;
+    if (!text::parse_number(field, number) || !(std::fabs(number) <= 1e12)) break;
     numbers.push_back(static_cast<float>(number));
   }
-  if (numbers.size() == kind.count && output::split(text, ',').size() == kind.count) return numbers;
-  return output::bad_argument(
-      kind.option, asset::quoted(text) + " is not " + std::to_string(kind.count) + " numbers",
+  if (numbers.size() == kind.count && text::split(text, ',').size() == kind.count) return numbers;
+  return text::bad_argument(
+      kind.option, text::quoted(text) + " is not " + std::to_string(kind.count) + " numbers",
       std::string("give numbers as in ") + kind.option + " " + kind.example);
 }
 
@@ -45,15 +45,15 @@ Result<std::vector<float>> parse_numbers(const Kind& kind, const std::string& te
 Result<void> check_numbers(const Kind& kind, std::span<const float> n) {
   const bool has_radius = kind.count % 3 == 1;
   if (has_radius && n.back() < 0)
-    return output::bad_argument(kind.option, "the radius is negative", "give 0 or more");
+    return text::bad_argument(kind.option, "the radius is negative", "give 0 or more");
   const std::string name = kind.name;
   for (int axis = 0; axis < 3 && name == "box"; ++axis)
     if (n[axis] > n[axis + 3])
-      return output::bad_argument(kind.option, "the lowest corner is above the highest corner",
-                                  "give the lowest x, y and z first");
+      return text::bad_argument(kind.option, "the lowest corner is above the highest corner",
+                                "give the lowest x, y and z first");
   if (name == "camera" && n[0] == n[3] && n[1] == n[4] && n[2] == n[5])
-    return output::bad_argument(kind.option, "position and target are the same point",
-                                "give another point to look at");
+    return text::bad_argument(kind.option, "position and target are the same point",
+                              "give another point to look at");
   return {};
 }
 
@@ -114,13 +114,13 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
   for (const Kind& kind : kKinds) {
     if ((arguments.*kind.text).empty()) continue;
     if (chosen != nullptr)
-      return output::bad_argument(
+      return text::bad_argument(
           kind.option, std::string("cannot be combined with ") + chosen->option, "give one region");
     chosen = &kind;
   }
   if (chosen == nullptr)
-    return output::bad_argument("--box", "no region was given",
-                                "give one with --box, --sphere, --capsule or --camera");
+    return text::bad_argument("--box", "no region was given",
+                              "give one with --box, --sphere, --capsule or --camera");
   Result<std::vector<float>> numbers = parse_numbers(*chosen, arguments.*chosen->text);
   if (!numbers) return numbers.error();
   if (const auto checked = check_numbers(*chosen, *numbers); !checked) return checked.error();
@@ -128,9 +128,9 @@ Result<ChosenRegion> choose_region(const RegionArguments& arguments) {
     return ChosenRegion(chosen->name, std::move(*numbers));
   const double angle = arguments.angle.value_or(60), aspect = arguments.aspect.value_or(16. / 9);
   if (!(angle > 0 && angle < 180))
-    return output::number_not_allowed("--angle", angle, "give degrees between 0 and 180");
+    return text::number_not_allowed("--angle", angle, "give degrees between 0 and 180");
   if (!(aspect > 0 && aspect <= 1e6))
-    return output::number_not_allowed("--aspect", aspect, "give a ratio up to 1e6, as in 1.78");
+    return text::number_not_allowed("--aspect", aspect, "give a ratio up to 1e6, as in 1.78");
   return ChosenRegion::seen_by_camera(std::move(*numbers), {angle, aspect});
 }
 

@@ -1,12 +1,12 @@
 #include "tools/pelt/arguments/scene_arguments.hpp"
 
-#include "asset/message.hpp"
 #include "asset/transform.hpp"
 #include "asset/uri.hpp"
 #include "scenes/excluded_nodes.hpp"
 #include "scenes/takes.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/values.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,9 +42,9 @@ std::array<PlacingOption, 5> placing_options(const SceneArguments& arguments) {
 Result<void> check_for_scene(const SceneArguments& arguments) {
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count == 0) continue;
-    return output::bad_argument(option.name,
-                                "applies to models on the command line, not to a scene file",
-                                "edit " + arguments.inputs[0] + " instead");
+    return text::bad_argument(option.name,
+                              "applies to models on the command line, not to a scene file",
+                              "edit " + arguments.inputs[0] + " instead");
   }
   return {};
 }
@@ -53,16 +53,16 @@ Result<void> check_for_models(const SceneArguments& arguments) {
   const std::size_t models = arguments.inputs.size();
   for (const std::string& input : arguments.inputs) {
     if (!is_scene_file(input)) continue;
-    return output::bad_argument(input, "is a scene file, but other files are given too",
-                                "give a single scene file, or models only, or a list of scenes to "
-                                "check --scenes");
+    return text::bad_argument(input, "is a scene file, but other files are given too",
+                              "give a single scene file, or models only, or a list of scenes to "
+                              "check --scenes");
   }
   for (const PlacingOption& option : placing_options(arguments)) {
     if (option.count <= models) continue;
-    return output::bad_argument(option.name,
-                                "was given " + output::counted(option.count, "time") + " for " +
-                                    output::counted(models, "model"),
-                                "give it at most once per model, in the order of the models");
+    return text::bad_argument(option.name,
+                              "was given " + text::counted(option.count, "time") + " for " +
+                                  text::counted(models, "model"),
+                              "give it at most once per model, in the order of the models");
   }
   return {};
 }
@@ -86,14 +86,13 @@ Result<Instance> place(const SceneArguments& arguments, std::size_t i) {
   instance.start = nth(arguments.starts, i, 0.0);
   instance.scale = nth(arguments.scales, i, 1.0);
   if (!(instance.scale >= scenes::kMinScale && instance.scale <= scenes::kMaxScale)) {
-    return output::number_not_allowed("--scale", instance.scale, "give a number from 1e-6 to 1e6");
+    return text::number_not_allowed("--scale", instance.scale, "give a number from 1e-6 to 1e6");
   }
   const double degrees = nth(arguments.turns, i, 0.0);
   if (!(std::fabs(degrees) <= 1e9))
-    return output::number_not_allowed("--turn", degrees, "give a number from -1e9 to 1e9");
+    return text::number_not_allowed("--turn", degrees, "give a number from -1e9 to 1e9");
   if (!(std::fabs(instance.start) <= 1e12))
-    return output::number_not_allowed("--start", instance.start,
-                                      "give a number from -1e12 to 1e12");
+    return text::number_not_allowed("--start", instance.start, "give a number from -1e12 to 1e12");
   instance.rotation = turned(degrees);
   const Result<std::array<double, 3>> position =
       parse_position("--at", nth<std::string>(arguments.positions, i, "0,0,0"));
@@ -139,14 +138,14 @@ Result<void> add_instance(Scene& scene, const SceneArguments& arguments, std::si
   instance->character = *character;
   scene.instances.push_back(std::move(*instance));
   const Result<void> found = scenes::check_clip(scene, static_cast<std::uint32_t>(i));
-  if (!found) return asset::prefixed("--clip", found.error());
+  if (!found) return text::prefixed("--clip", found.error());
   return {};
 }
 
 /// The frames of all clips, or of the longest clip of models that play one clip each.
 Result<void> choose_frame_count(Scene& scene) {
   if (const auto planned = scenes::plan_takes(scene); !planned)
-    return asset::prefixed("--clip", planned.error());
+    return text::prefixed("--clip", planned.error());
   if (scene.takes.empty()) scene.frame_count = scenes::frames_of_longest_clip(scene);
   return {};
 }
@@ -163,7 +162,7 @@ std::size_t count_left_standing(const SceneArguments& arguments, const Scene& sc
 std::vector<std::string> placing_notes(const SceneArguments& arguments, const Scene& scene) {
   std::vector<std::string> notes;
   if (const std::size_t standing = count_left_standing(arguments, scene); standing > 0)
-    notes.push_back(output::counted(standing, "model") + (standing == 1 ? " stands" : " stand") +
+    notes.push_back(text::counted(standing, "model") + (standing == 1 ? " stands" : " stand") +
                     " in the default pose: select a clip for each model with --clip; pelt info "
                     "lists the clips (-: default pose)");
   if (scene.instances.size() > 1 && arguments.positions.empty())
@@ -180,7 +179,7 @@ Result<Scene> scene_of_models(const SceneArguments& arguments) {
     if (const auto added = add_instance(scene, arguments, i); !added) return added.error();
   }
   const auto known = scenes::check_excluded(scene, arguments.models.gltf_options());
-  if (!known) return asset::prefixed("--exclude", known.error());
+  if (!known) return text::prefixed("--exclude", known.error());
   if (const auto chosen = choose_frame_count(scene); !chosen) return chosen.error();
   scene.notes = placing_notes(arguments, scene);
   return scene;
@@ -196,7 +195,7 @@ std::string loop_note(const Scene& scene) {
   const bool one = scene.instances.size() == 1;
   return "frames from " + std::to_string(scene.frame_count) + " on repeat the " +
          (one ? "clip, which has " : "clips, the longest of which has ") +
-         output::counted(scene.frame_count, "frame");
+         text::counted(scene.frame_count, "frame");
 }
 
 Result<Scene> scene_of_file(const SceneArguments& arguments) {
@@ -205,7 +204,7 @@ Result<Scene> scene_of_file(const SceneArguments& arguments) {
   if (!scene || !arguments.fps) return scene;
   scene->fps = *arguments.fps;
   if (const auto planned = scenes::plan_takes(*scene); !planned)
-    return asset::prefixed("--fps", planned.error());
+    return text::prefixed("--fps", planned.error());
   return scene;
 }
 
@@ -238,7 +237,7 @@ bool asks_for_scene(const SceneArguments& arguments) {
 
 Result<Scene> open_scene(const SceneArguments& arguments) {
   if (arguments.fps && !(*arguments.fps >= scenes::kMinFps && *arguments.fps <= scenes::kMaxFps)) {
-    return output::number_not_allowed("--fps", *arguments.fps, "give a number from 1e-6 to 1e6");
+    return text::number_not_allowed("--fps", *arguments.fps, "give a number from 1e-6 to 1e6");
   }
   return asks_for_scene(arguments) ? scene_of_file(arguments) : scene_of_models(arguments);
 }
@@ -259,8 +258,8 @@ Result<FrameRange> choose_frames(const std::string& text, const SceneArguments& 
           "--frames");
   }
   if (range->end <= scene.frame_count) return range;
-  return output::bad_argument("--frames", text + " goes beyond the last frame",
-                              scene.name + " has frames 0:" + std::to_string(scene.frame_count));
+  return text::bad_argument("--frames", text + " goes beyond the last frame",
+                            scene.name + " has frames 0:" + std::to_string(scene.frame_count));
 }
 
 std::vector<output::InputFile> files_of_model(const std::string& path) {

@@ -2,8 +2,8 @@
 
 #include <pelt/config.hpp>
 
-#include "asset/message.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,14 +34,14 @@ std::vector<std::uint32_t> FrameRange::frames() const {
 
 Result<FrameRange> parse_frame_range(std::string_view text) {
   const Error unclear =
-      output::bad_argument("--frames", asset::quoted(text) + " is not a range of frames",
-                           "give A:B with A < B, which excludes B, or A:B:STRIDE");
-  const std::vector<std::string_view> fields = output::split(text, ':');
+      text::bad_argument("--frames", text::quoted(text) + " is not a range of frames",
+                         "give A:B with A < B, which excludes B, or A:B:STRIDE");
+  const std::vector<std::string_view> fields = text::split(text, ':');
   if (fields.size() < 2 || fields.size() > 3) return unclear;
   FrameRange range;
   std::uint32_t* const targets[] = {&range.begin, &range.end, &range.stride};
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!output::parse_whole(fields[i], *targets[i])) return unclear;
+    if (!text::parse_whole(fields[i], *targets[i])) return unclear;
   }
   if (range.begin >= range.end || range.stride == 0) return unclear;
   return range;
@@ -49,14 +49,14 @@ Result<FrameRange> parse_frame_range(std::string_view text) {
 
 Result<std::array<double, 3>> parse_position(const std::string& option, const std::string& text) {
   std::array<double, 3> position;
-  const std::vector<std::string_view> fields = output::split(text, ',');
+  const std::vector<std::string_view> fields = text::split(text, ',');
   bool good = fields.size() == position.size();
   for (std::size_t i = 0; good && i < position.size(); ++i) {
-    good = output::parse_number(fields[i], position[i]) && std::fabs(position[i]) <= 1e12;
+    good = text::parse_number(fields[i], position[i]) && std::fabs(position[i]) <= 1e12;
   }
   if (good) return position;
-  return output::bad_argument(option, asset::quoted(text) + " is not a position",
-                              "give x,y,z as in " + option + " 0.5,0,-1");
+  return text::bad_argument(option, text::quoted(text) + " is not a position",
+                            "give x,y,z as in " + option + " 0.5,0,-1");
 }
 
 Result<Vec3> parse_point(const std::string& option, const std::string& text) {
@@ -79,10 +79,10 @@ Result<void> choose_simd(const std::string& name) {
                                 [&](InstructionSet known) { return name == name_of(known); });
   const bool is_known = set != kInstructionSets.end();
   if (is_known && set_active_instruction_set(*set)) return {};
-  return output::bad_argument("--simd",
-                              is_known ? name + " is not supported by this processor"
-                                       : "unknown value " + asset::quoted(name),
-                              "give " + available_names());
+  return text::bad_argument("--simd",
+                            is_known ? name + " is not supported by this processor"
+                                     : "unknown value " + text::quoted(name),
+                            "give " + available_names());
 }
 
 }  // namespace pelt::tools::arguments

@@ -1,6 +1,7 @@
 #include "tools/pelt/arguments/verb.hpp"
 
-#include "asset/message.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/output/process.hpp"
 
 #include <CLI/CLI.hpp>
@@ -41,7 +42,7 @@ CLI::Validator whole_number(const OptionSyntax& syntax) {
     std::uint32_t number = 0;
     if (CLI::detail::lexical_cast(text, number) && number >= least && number <= most)
       return std::string();
-    return asset::quoted(text) + " is not allowed: give a whole number from " + range;
+    return text::quoted(text) + " is not allowed: give a whole number from " + range;
   };
   return CLI::Validator(check, syntax.most > 0 ? range : "");
 }
@@ -50,7 +51,7 @@ CLI::Validator decimal_number() {
   const auto check = [](const std::string& text) {
     double number = 0;
     if (CLI::detail::lexical_cast(text, number)) return std::string();
-    return asset::quoted(text) + " is not a number: give a number such as 0.5";
+    return text::quoted(text) + " is not a number: give a number such as 0.5";
   };
   return CLI::Validator(check, "");
 }
@@ -62,7 +63,7 @@ std::string words_of(const CLI::App& verb) {
     for (const std::string& result : option->results()) {
       if (option->nonpositional()) options.push_back(option->get_name());
       if (!is_flag)
-        (option->nonpositional() ? options : arguments).push_back(output::shell_word(result));
+        (option->nonpositional() ? options : arguments).push_back(text::shell_word(result));
     }
   }
   std::string words = verb.get_parent()->get_name() + " " + verb.get_name();

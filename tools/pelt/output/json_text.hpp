@@ -1,15 +1,7 @@
 #pragma once
 
-/// JSON text for files and terminals.
-
-#include <nlohmann/json_fwd.hpp>
-
-#include <string>
+#include "text/json_text.hpp"
 
 namespace pelt::tools::output {
-
-/// JSON text, on one line without `indent`, otherwise indented by `indent` spaces per level.
-/// Replaces bytes that are not UTF-8, and escapes code points that control terminals.
-std::string json_text(const nlohmann::ordered_json& value, int indent = -1);
-
-}  // namespace pelt::tools::output
+using namespace text;
+}

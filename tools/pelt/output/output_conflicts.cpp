@@ -1,7 +1,7 @@
 #include "tools/pelt/output/output_conflicts.hpp"
 
+#include "text/message.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -88,7 +88,7 @@ Result<void> check_outputs(std::span<const NamedOutput> outputs,
   const Identity printed = identity_of(find_output_place(kStandardOutput));
   if (is_standard_output_a_file()) {
     if (const auto taken = files.take(printed, "where standard output goes"))
-      return bad_argument("standard output", "goes to " + *taken, "send it to another file");
+      return text::bad_argument("standard output", "goes to " + *taken, "send it to another file");
   }
   for (const NamedOutput& output : outputs) {
     if (output.name.empty()) continue;
@@ -99,7 +99,7 @@ Result<void> check_outputs(std::span<const NamedOutput> outputs,
       if (is_standard_output_a_file()) identity.inode.reset();  // is taken by what is printed
     }
     if (const auto taken = files.take(identity, "the output of " + output.option))
-      return bad_argument(output.option, output.name + " is " + *taken, output.remedy);
+      return text::bad_argument(output.option, output.name + " is " + *taken, output.remedy);
   }
   return {};
 }

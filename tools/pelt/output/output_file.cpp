@@ -1,7 +1,7 @@
 #include "tools/pelt/output/output_file.hpp"
 
-#include "asset/printable.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
+#include "text/printable.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -29,7 +29,7 @@ std::optional<std::uint32_t> descriptor_at(const fs::path& path) {
   std::error_code error;
   std::uint32_t number = 0;
   if (!fs::equivalent(folder_of(path), "/dev/fd", error) ||
-      !parse_whole(path.filename().string(), number))
+      !text::parse_whole(path.filename().string(), number))
     return std::nullopt;
   return number;
 }
@@ -47,7 +47,8 @@ OutputPlace place_at(const fs::path& path) {
 fs::path temporary_beside(const fs::path& path) {
   std::random_device random;
   const std::uint64_t number = std::uint64_t{random()} << 32 | random();
-  return path.parent_path() / (".pelt-" + hex16(number) + ".partial" + path.extension().string());
+  return path.parent_path() /
+         (".pelt-" + text::hex16(number) + ".partial" + path.extension().string());
 }
 
 /// Whether the file at `path` may be replaced. `known` describes the file unless it is new.
@@ -215,7 +216,7 @@ std::ostream& words_beside(std::initializer_list<std::string> outputs) {
 
 void print_written(const std::string& name, std::ostream& words) {
   if (!name.empty() && !is_standard_output(name))
-    words << "wrote " << asset::printable(name) << '\n';
+    words << "wrote " << text::printable(name) << '\n';
 }
 
 }  // namespace pelt::tools::output

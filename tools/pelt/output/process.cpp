@@ -1,5 +1,7 @@
 #include "tools/pelt/output/process.hpp"
 
+#include "text/format.hpp"
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -120,7 +122,7 @@ UnfinishedFile::~UnfinishedFile() { is_registered_ = false; }
 ProgramEnd run_program(std::span<const std::string> words, std::string* printed) {
   constexpr int kNotFound = 127;  // the exit code of a shell that does not find the program
   std::string command = "exec";
-  for (const std::string& word : words) command.append(" ").append(shell_word(word));
+  for (const std::string& word : words) command.append(" ").append(text::shell_word(word));
   command += printed == nullptr ? " >/dev/null 2>&1" : " 2>/dev/null";
   std::FILE* const output = popen(command.c_str(), "r");
   if (output == nullptr) return ProgramEnd::failed;
@@ -130,15 +132,6 @@ ProgramEnd run_program(std::span<const std::string> words, std::string* printed)
   const int status = pclose(output);
   if (WIFEXITED(status) && WEXITSTATUS(status) == kNotFound) return ProgramEnd::not_found;
   return status == 0 ? ProgramEnd::succeeded : ProgramEnd::failed;
-}
-
-std::string shell_word(const std::string& word) {
-  constexpr const char* kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted(1, '\'');
-  for (const char c : word) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));
-  return quoted.append(1, '\'');
 }
 
 }  // namespace pelt::tools::output

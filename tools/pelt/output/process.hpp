@@ -48,7 +48,4 @@ enum class ProgramEnd { succeeded, failed, not_found };
 /// process group of the command.
 ProgramEnd run_program(std::span<const std::string> words, std::string* printed = nullptr);
 
-/// Quotes a word for a shell if necessary.
-std::string shell_word(const std::string& word);
-
 }  // namespace pelt::tools::output

@@ -2,9 +2,9 @@
 
 #include "asset/buffers.hpp"
 #include "asset/container.hpp"
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "scenes/glb_builder.hpp"
+#include "text/message.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -149,7 +149,7 @@ Result<PackedBuffer> pack_views(Json::array_t& all, std::span<const std::uint32_
   std::vector<Json> unused(all.size(), {{"buffer", 0}, {"byteLength", 1}});
   PackedBuffer packed;
   for (const std::uint32_t view : used) {
-    const auto stored = buffers.stored_view(view, asset::label("bufferView", view));
+    const auto stored = buffers.stored_view(view, text::label("bufferView", view));
     if (!stored) return stored.error();
     packed.add(all[view], *stored);
     unused[view] = std::move(all[view]);
@@ -184,7 +184,7 @@ Result<std::vector<std::byte>> copy_geometry(Bytes file, const std::filesystem::
   remove_empty_arrays(document);
   const std::string text = document.dump();
   if (text.size() + packed->bytes().size() > std::numeric_limits<std::uint32_t>::max() - 64)
-    return asset::unsupported("is too large for a page: 4 GB is the limit of a .glb");
+    return text::unsupported("is too large for a page: 4 GB is the limit of a .glb");
   return scenes::make_glb_file(text, packed->bytes());
 }
 

@@ -3,12 +3,11 @@
 #include <pelt/version.hpp>
 
 #include "asset/file_bytes.hpp"
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "base/hash.hpp"
 #include "scenes/scene_text.hpp"
-#include "tools/pelt/output/base64.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/page/geometry_copy.hpp"
 
 #include <nlohmann/json.hpp>
@@ -25,7 +24,7 @@ using nlohmann::ordered_json;
 /// The page is text, and so are the paths in it.
 std::string name_in_page(const fs::path& path) {
   const std::string name = path.stem().string();
-  return (asset::as_utf8(name) == name ? name : "model") + ".glb";
+  return (text::as_utf8(name) == name ? name : "model") + ".glb";
 }
 
 /// Another process may have changed the file since it was read.
@@ -44,7 +43,7 @@ Result<void> add_character(const scenes::Character& character, const fs::path& p
   if (const auto unchanged = check_unchanged(character, *original); !unchanged) return unchanged;
   const fs::path beside = path.has_parent_path() ? path.parent_path() : ".";
   auto copy = copy_geometry(*original, beside, character.buffer_views);
-  if (!copy) return asset::prefixed(character.source, copy.error());
+  if (!copy) return text::prefixed(character.source, copy.error());
   files.paths.back() = folder + name_in_page(path);
   files.original_sizes.back() = original->size();
   files.bytes[files.paths.back()] = *std::move(copy);
@@ -83,8 +82,8 @@ std::string scene_title(const scenes::Scene& scene) {
 
 ordered_json files_json(const CharacterFiles& files, const std::string& scene,
                         const std::string& text) {
-  ordered_json json = {{scene, output::base64(text)}};
-  for (const auto& [path, bytes] : files.bytes) json[path] = output::base64(as_text(bytes));
+  ordered_json json = {{scene, text::base64(text)}};
+  for (const auto& [path, bytes] : files.bytes) json[path] = text::base64(as_text(bytes));
   return json;
 }
 
@@ -95,7 +94,7 @@ ordered_json inputs_json(const scenes::Scene& scene, const CharacterFiles& files
     const scenes::Character& character = scene.characters[c];
     ordered_json& input = inputs.emplace_back();
     input = {{"path", character.source}, {"file", nullptr}, {"bytes", nullptr}};
-    input["hash"] = output::hex16(character.hash);
+    input["hash"] = text::hex16(character.hash);
     if (files.paths[c].empty()) continue;
     input["file"] = files.paths[c];
     input["bytes"] = files.original_sizes[c];

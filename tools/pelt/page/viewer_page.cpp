@@ -3,7 +3,7 @@
 #include <pelt/version.hpp>
 
 #include "asset/file_bytes.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,7 +29,7 @@ std::string escaped(std::string_view text) {
 }
 
 std::string number(const ordered_json& value) {
-  return output::with_commas(value.get<std::uint64_t>());
+  return text::with_commas(value.get<std::uint64_t>());
 }
 
 const char* headline(const ordered_json& verdict) {

@@ -3,12 +3,12 @@
 #include <pelt/model.hpp>
 
 #include "asset/file_bytes.hpp"
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "base/hash.hpp"
 #include "model/prepared_format.hpp"
-#include "tools/pelt/output/json_text.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
+#include "text/json_text.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +43,7 @@ ordered_json describe(const std::string& path, std::span<const std::byte> file,
   return {{"format", "pelt-info"},
           {"version", 1},
           {"model", path},
-          {"hash", output::hex16(hash_of(file))},
+          {"hash", text::hex16(hash_of(file))},
           {"prepared", {{"version", detail::kPreparedVersion}, {"bytes", file.size()}}},
           {"vertices", model.vertex_count()},
           {"triangles", model.triangle_count()},
@@ -62,11 +62,11 @@ void print_line(const char* label, const std::string& text) {
 
 void print(const ordered_json& info) {
   const auto number = [&](const char* key) {
-    return output::with_commas(info[key].get<std::uint64_t>());
+    return text::with_commas(info[key].get<std::uint64_t>());
   };
   const ordered_json& prepared = info["prepared"];
-  print_line("model", asset::printable(info["model"].get<std::string>()));
-  print_line("prepared", output::with_commas(prepared["bytes"].get<std::uint64_t>()) +
+  print_line("model", text::printable(info["model"].get<std::string>()));
+  print_line("prepared", text::with_commas(prepared["bytes"].get<std::uint64_t>()) +
                              " bytes, version " + prepared["version"].dump() + " of the format");
   print_line("vertices", number("vertices"));
   print_line("triangles",
@@ -83,7 +83,7 @@ void print(const ordered_json& info) {
 Result<SkinnedModel> load_named_model(const std::string& name, std::span<const std::byte> file) {
   Result<SkinnedModel> model = asset::within_memory(name, [&] { return load_model(file); });
   if (model || model.error().code == ErrorCode::unreadable_file) return model;
-  return asset::prefixed(name, model.error());
+  return text::prefixed(name, model.error());
 }
 
 bool is_prepared_file(const std::filesystem::path& path) {
@@ -101,7 +101,7 @@ Result<void> print_prepared_info(const std::string& path, InfoStyle style) {
   if (!model) return model.error();
   const ordered_json info = describe(path, *file, *model);
   if (style == InfoStyle::json)
-    std::cout << output::json_text(info, 2) << '\n';
+    std::cout << text::json_text(info, 2) << '\n';
   else
     print(info);
   return {};

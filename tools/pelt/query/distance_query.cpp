@@ -1,6 +1,6 @@
 #include "tools/pelt/query/distance_query.hpp"
 
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 #include "tools/pelt/scene/surface_names.hpp"
@@ -153,7 +153,7 @@ void DistanceQuery::set_pair(const PairDistance& pair, ordered_json& entry) cons
 }
 
 void DistanceQuery::print(const arguments::FrameRange& frames, std::ostream& out) const {
-  scene::label(out, "frames") << output::with_commas(frames.frames().size()) << '\n';
+  scene::label(out, "frames") << text::with_commas(frames.frames().size()) << '\n';
   if (staged_.colliders.size() < 2) {
     scene::print_too_few(staged_.scene, settings_.granularity, out);
     return;
@@ -168,7 +168,7 @@ void DistanceQuery::print(const arguments::FrameRange& frames, std::ostream& out
   out << "\nleast distances\n";
   for (const PairDistance& pair : closest_.pairs()) {
     const Distance& distance = pair.distance;
-    out << std::right << std::setw(12) << output::fixed(distance.distance, 6) << "  "
+    out << std::right << std::setw(12) << text::fixed(distance.distance, 6) << "  "
         << scene::frame_words(staged_.scene, pair.frame) << "  " << place(pair.a, distance.a)
         << "  " << place(pair.b, distance.b) << '\n';
   }

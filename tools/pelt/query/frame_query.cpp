@@ -1,6 +1,6 @@
 #include "tools/pelt/query/frame_query.hpp"
 
-#include "asset/message.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
@@ -75,7 +75,7 @@ Result<void> run_frame_query(const scene::StagedScene& staged, const arguments::
   QueryLines lines(staged, query, file.stream());
   lines.header(frames);
   const Result<scene::FrameCosts> costs = ask_frames(staged, frames, query, lines);
-  if (!costs) return asset::prefixed(staged.scene.name, costs.error());
+  if (!costs) return text::prefixed(staged.scene.name, costs.error());
   lines.totals(*costs);
   if (const auto stored = query.status(); !stored) return stored.error();
   if (const auto closed = file.close(); !closed) return closed.error();

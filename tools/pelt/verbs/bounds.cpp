@@ -2,12 +2,12 @@
 
 #include <pelt/bounds.hpp>
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "scenes/names.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/frame_query.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
@@ -150,7 +150,7 @@ std::string BoundsQuery::joint_of(const Bounded& bounded) const {
 
 std::string BoundsQuery::name_of(const Bounded& bounded) const {
   const std::string name = scene::collider_name(staged_, staged_.colliders[bounded.collider]);
-  return bounded.joint ? name + " " + asset::printable_name(joint_of(bounded)) : name;
+  return bounded.joint ? name + " " + text::printable_name(joint_of(bounded)) : name;
 }
 
 ordered_json BoundsQuery::named_json(const Bounded& bounded) const {
@@ -190,7 +190,7 @@ void BoundsQuery::write_totals(scene::JsonLine& line) const {
 
 void BoundsQuery::print(const arguments::FrameRange& frames, std::ostream& words) const {
   scene::label(words, "bounds") << (settings_.kind == BoundsKind::exact ? "exact" : "guaranteed")
-                                << ", in " << output::counted(frames.frames().size(), "frame")
+                                << ", in " << text::counted(frames.frames().size(), "frame")
                                 << '\n';
   print_boxes(words);
 }
@@ -208,7 +208,7 @@ void BoundsQuery::print_boxes(std::ostream& out) const {
     const Bounded& b = bounded_[i];
     out << "  " << std::left << std::setw(static_cast<int>(width)) << names[i] << "  "
         << scene::coordinates(b.all_frames.low) << "  " << scene::coordinates(b.all_frames.high);
-    if (b.sphere) out << "  " << output::fixed(static_cast<double>(b.largest_radius), 3);
+    if (b.sphere) out << "  " << text::fixed(static_cast<double>(b.largest_radius), 3);
     out << '\n';
   }
   out << '\n';
@@ -236,8 +236,8 @@ Result<BoundsBy> choose_by(const std::string& name) {
   if (name == "instance") return BoundsBy::instance;
   if (name == "part") return BoundsBy::part;
   if (name == "joint") return BoundsBy::joint;
-  return output::bad_argument("--by", "unknown value " + asset::quoted(name),
-                              "give instance, part or joint");
+  return text::bad_argument("--by", "unknown value " + text::quoted(name),
+                            "give instance, part or joint");
 }
 
 Result<arguments::ExitCode> run(const Arguments& arguments) {

@@ -2,14 +2,14 @@
 
 #include "scenes/demo.hpp"
 #include "asset/file_bytes.hpp"
-#include "asset/printable.hpp"
 #include "scenes/character_glb.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check_scene.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/process.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/picture/still.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -124,7 +124,7 @@ void say_why_not(output::ProgramEnd end, const fs::path& description) {
                  "`pelt demo` again\n";
     return;
   }
-  const std::string name = asset::printable(description.string());
+  const std::string name = text::printable(description.string());
   std::cout << "no picture: POV-Ray failed on " << name << "; run `povray " << name
             << "` to see why\n";
 }
@@ -171,8 +171,8 @@ Result<void> check_contents(const fs::path& folder) {
     std::error_code ignored;
     const fs::path path = folder / name;
     if (!fs::exists(fs::symlink_status(path, ignored))) continue;
-    return output::bad_argument("-o", path.string() + " exists, and is not of a demo",
-                                "choose another folder with -o, or move the file away");
+    return text::bad_argument("-o", path.string() + " exists, and is not of a demo",
+                              "choose another folder with -o, or move the file away");
   }
   return {};
 }
@@ -201,7 +201,7 @@ Result<arguments::ExitCode> demo(const Arguments& arguments) {
   // A missing viewer does not fail the demo either.
   const Result<std::string> viewer = page::read_viewer();
   if (const auto written = write_check(*scene, folder, viewer); !written) return written.error();
-  if (!viewer) std::cout << "no report: " << asset::printable(viewer.error().message) << '\n';
+  if (!viewer) std::cout << "no report: " << text::printable(viewer.error().message) << '\n';
   if (arguments.no_picture) return arguments::ExitCode::success;
   if (const auto written = write_picture(*scene, folder); !written) return written.error();
   return arguments::ExitCode::success;

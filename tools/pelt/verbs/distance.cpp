@@ -1,10 +1,10 @@
 /// `pelt distance`: the distances of characters, frame by frame.
 
-#include "asset/message.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/distance_query.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
@@ -136,7 +136,7 @@ ordered_json ClosestQuery::point_json(const PointOnCollider& point) const {
 }
 
 void ClosestQuery::print(const arguments::FrameRange& frames, std::ostream& out) const {
-  scene::label(out, "frames") << output::with_commas(frames.frames().size()) << '\n';
+  scene::label(out, "frames") << text::with_commas(frames.frames().size()) << '\n';
   for (std::size_t p = 0; p < points_.size(); ++p) {
     scene::label(out, ("point " + std::to_string(p)).c_str());
     const PointOnCollider& least = least_[p];
@@ -145,7 +145,7 @@ void ClosestQuery::print(const arguments::FrameRange& frames, std::ostream& out)
       continue;
     }
     out << "closest in " << scene::frame_words(staged_.scene, least_frame_[p]) << ": "
-        << output::fixed(least.closest.distance, 6) << " from "
+        << text::fixed(least.closest.distance, 6) << " from "
         << scene::place_words(staged_, staged_.colliders[least.collider], least.closest.point)
         << '\n';
     scene::label(out, "") << "at" << scene::coordinates(least.closest.point.position) << '\n';
@@ -176,7 +176,7 @@ each instance, and the closest point of the surface.)";
 Result<double> choose_within(const std::optional<double>& within) {
   if (!within) return query::DistanceSettings().within;
   if (*within >= 0 && *within <= 1e12) return *within;
-  return output::number_not_allowed("--within", *within, "give a number from 0 to 1e12");
+  return text::number_not_allowed("--within", *within, "give a number from 0 to 1e12");
 }
 
 Result<std::vector<Vec3>> parse_points(std::span<const std::string> texts) {

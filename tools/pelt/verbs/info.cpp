@@ -1,16 +1,16 @@
 /// `pelt info`: the contents of a model file.
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/names.hpp"
 #include "scenes/scene.hpp"
+#include "text/format.hpp"
+#include "text/json_text.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -104,7 +104,7 @@ ordered_json describe(const scenes::Character& character, const SkinnedModel& mo
   return {{"format", "pelt-info"},
           {"version", 1},
           {"model", character.source},
-          {"hash", output::hex16(character.hash)},
+          {"hash", text::hex16(character.hash)},
           {"vertices", model.vertex_count()},
           {"distinct_positions", distinct_positions(asset)},
           {"triangles", model.triangle_count()},
@@ -127,9 +127,9 @@ void print_line(const char* label, const T& value, const std::string& remark = {
 
 void print_counts(const ordered_json& info) {
   const auto number = [&](const char* key) {
-    return output::with_commas(info[key].get<std::uint64_t>());
+    return text::with_commas(info[key].get<std::uint64_t>());
   };
-  print_line("model", asset::printable(info["model"].get<std::string>()));
+  print_line("model", text::printable(info["model"].get<std::string>()));
   print_line("vertices", number("vertices"),
              ", at " + number("distinct_positions") + " distinct positions");
   print_line("triangles", number("triangles"),
@@ -138,27 +138,27 @@ void print_counts(const ordered_json& info) {
   print_line("weights", number("renormalised_vertices"),
              " vertices renormalised, " + number("merged_influences") + " influences merged");
   if (!info["morph_targets"].empty())
-    print_line("morphs", output::with_commas(info["morph_targets"].size()), " targets");
+    print_line("morphs", text::with_commas(info["morph_targets"].size()), " targets");
   print_line("prepared", number("prepared_bytes"), " bytes");
 }
 
 void print_clips(const asset::Asset& asset) {
-  print_line("clips", output::with_commas(asset.clips.size()));
+  print_line("clips", text::with_commas(asset.clips.size()));
   for (const asset::Clip& clip : asset.clips) {
     std::cout << "  " << std::right << std::setw(8)
-              << output::fixed(static_cast<double>(clip.duration), 3) << " s  "
-              << (clip.name.empty() ? "\"\" (unnamed)" : asset::printable_name(clip.name)) << '\n';
+              << text::fixed(static_cast<double>(clip.duration), 3) << " s  "
+              << (clip.name.empty() ? "\"\" (unnamed)" : text::printable_name(clip.name)) << '\n';
   }
 }
 
 void print_parts(const asset::Asset& asset) {
-  print_line("parts", output::with_commas(asset.parts.size()));
+  print_line("parts", text::with_commas(asset.parts.size()));
   const std::vector<std::string> names = scenes::part_names(asset);
   for (std::uint32_t p = 0; p < asset.parts.size(); ++p) {
     const asset::Part& part = asset.parts[p];
-    std::cout << "  " << std::right << std::setw(8) << output::with_commas(part.triangle_count)
-              << " triangles  " << asset::printable_name(names[p]) << "  (mesh "
-              << asset::quoted(part.mesh) << ", material " << asset::quoted(part.material)
+    std::cout << "  " << std::right << std::setw(8) << text::with_commas(part.triangle_count)
+              << " triangles  " << text::printable_name(names[p]) << "  (mesh "
+              << text::quoted(part.mesh) << ", material " << text::quoted(part.material)
               << (part.skinned ? ")\n" : "; not skinned)\n");
   }
 }
@@ -166,10 +166,10 @@ void print_parts(const asset::Asset& asset) {
 /// Prints the names as --ignore and baselines use them, as many per line as fit.
 void print_joints(const asset::Asset& asset) {
   constexpr std::size_t kWidth = 100;
-  print_line("joints", output::with_commas(asset.joints.size()));
+  print_line("joints", text::with_commas(asset.joints.size()));
   std::string line;
   for (std::uint32_t j = 0; j < asset.joints.size(); ++j) {
-    const std::string name = asset::printable_name(scenes::joint_name(asset, j));
+    const std::string name = text::printable_name(scenes::joint_name(asset, j));
     const bool is_last = j + 1 == asset.joints.size();
     if (!line.empty() && line.size() + name.size() + 4 > kWidth) {
       std::cout << line << '\n';
@@ -185,8 +185,7 @@ void print(const ordered_json& info, const asset::Asset& asset) {
   print_clips(asset);
   print_joints(asset);
   print_parts(asset);
-  for (const std::string& warning : asset.warnings)
-    print_line("warning", asset::printable(warning));
+  for (const std::string& warning : asset.warnings) print_line("warning", text::printable(warning));
 }
 
 /// Returns an error if printing would overwrite or extend one of the files.
@@ -220,7 +219,7 @@ Result<arguments::ExitCode> info(const Arguments& arguments) {
   if (!model) return model.error();
   const ordered_json description = describe(*character, *model);
   if (arguments.json) {
-    std::cout << output::json_text(description, 2) << '\n';
+    std::cout << text::json_text(description, 2) << '\n';
   } else {
     print(description, asset);
   }

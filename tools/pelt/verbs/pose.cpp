@@ -1,9 +1,10 @@
 /// `pelt pose`: writes the characters of one frame, as queries pose them, to a .glb file.
 
+#include "text/format.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -32,9 +33,9 @@ Result<arguments::ExitCode> pose(const Arguments& arguments) {
       std::to_string(arguments.frame) + ":" + std::to_string(std::uint64_t{arguments.frame} + 1);
   const auto chosen = arguments::choose_frames(only, arguments.scene, *scene);
   if (!chosen) {
-    return output::bad_argument(
-        "--frame", std::to_string(arguments.frame) + " is beyond the last frame",
-        scene->name + " has " + output::counted(scene->frame_count, "frame"));
+    return text::bad_argument("--frame",
+                              std::to_string(arguments.frame) + " is beyond the last frame",
+                              scene->name + " has " + text::counted(scene->frame_count, "frame"));
   }
   const output::NamedOutput output = {"--output", arguments.output};
   const auto checked =

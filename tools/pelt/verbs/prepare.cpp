@@ -2,14 +2,14 @@
 
 #include <pelt/model.hpp>
 
-#include "asset/printable.hpp"
 #include "scenes/clip_samples.hpp"
 #include "scenes/scene.hpp"
+#include "text/format.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/arguments/model_arguments.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/prepared/prepared_file.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -79,20 +79,20 @@ Result<Prepared> build(const scenes::Character& character,
 
 void print(const scenes::Character& character, const Prepared& prepared, std::ostream& out) {
   const SkinnedModel& model = prepared.model;
-  label(out, "model") << asset::printable(character.source) << ": "
-                      << output::with_commas(model.vertex_count()) << " vertices, "
-                      << output::with_commas(model.triangle_count()) << " triangles, "
-                      << output::counted(model.joint_count(), "joint") << '\n';
-  label(out, "samples") << output::counted(prepared.sample_poses, "pose") << " of "
-                        << output::counted(character.asset.clips.size(), "clip") << '\n';
-  label(out, "build") << output::fixed(prepared.build_ms, 2) << " ms\n";
+  label(out, "model") << text::printable(character.source) << ": "
+                      << text::with_commas(model.vertex_count()) << " vertices, "
+                      << text::with_commas(model.triangle_count()) << " triangles, "
+                      << text::counted(model.joint_count(), "joint") << '\n';
+  label(out, "samples") << text::counted(prepared.sample_poses, "pose") << " of "
+                        << text::counted(character.asset.clips.size(), "clip") << '\n';
+  label(out, "build") << text::fixed(prepared.build_ms, 2) << " ms\n";
 }
 
 void print(const std::string& output, std::span<const std::byte> file, double build_ms,
            std::ostream& out) {
   const double load_ms = loading_milliseconds(file);
-  label(out, "prepared") << output::with_commas(file.size()) << " bytes\n";
-  label(out, "load") << output::fixed(load_ms, 2) << " ms, " << output::fixed(build_ms / load_ms, 0)
+  label(out, "prepared") << text::with_commas(file.size()) << " bytes\n";
+  label(out, "load") << text::fixed(load_ms, 2) << " ms, " << text::fixed(build_ms / load_ms, 0)
                      << " times faster\n";
   output::print_written(output, out);
 }

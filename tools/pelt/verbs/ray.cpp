@@ -2,13 +2,13 @@
 
 #include <pelt/ray.hpp>
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "scenes/names.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/frame_query.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
@@ -174,25 +174,25 @@ void print_first(const HitNames& names, const Ray& ray, const RayTally::First& f
   const std::vector<JointShare> joints = names.joints(first.instance, hit);
   scene::label(out, "first hit") << scene::frame_words(names.staged().scene, first.frame) << ": "
                                  << names.instance(first.instance) << ' '
-                                 << asset::printable_name(names.part(first.instance, hit))
+                                 << text::printable_name(names.part(first.instance, hit))
                                  << ", triangle " << hit.triangle << ", "
-                                 << asset::printable_name(scenes::joint_name(
+                                 << text::printable_name(scenes::joint_name(
                                         names.asset_of(first.instance), joints[0].joint))
                                  << '\n';
-  scene::label(out, "") << "t " << output::fixed(double{hit.t}, 6) << " at"
+  scene::label(out, "") << "t " << text::fixed(double{hit.t}, 6) << " at"
                         << scene::coordinates(point_of(ray, hit.t)) << ", normal"
                         << scene::coordinates(hit.normal) << '\n';
 }
 
 void print_ray(const HitNames& names, const RaySettings& settings, std::size_t number,
                const RayTally& tally, const arguments::FrameRange& frames, std::ostream& out) {
-  const std::string all = output::counted(frames.frames().size(), "frame");
+  const std::string all = text::counted(frames.frames().size(), "frame");
   scene::label(out, ("ray " + std::to_string(number)).c_str());
   if (!tally.first_hit) {
     out << "hits nothing in " << all << '\n';
     return;
   }
-  out << "hits in " << output::with_commas(tally.frames.size()) << " of " << all << ": "
+  out << "hits in " << text::with_commas(tally.frames.size()) << " of " << all << ": "
       << scene::frame_runs(names.staged().scene, tally.frames, frames.stride) << '\n';
   print_first(names, settings.rays[number], *tally.first_hit, out);
 }
@@ -260,8 +260,8 @@ Result<Facing> choose_facing(const std::string& name) {
   if (name == "both") return Facing::both;
   if (name == "front") return Facing::front;
   if (name == "back") return Facing::back;
-  return output::bad_argument("--facing", "unknown value " + asset::quoted(name),
-                              "give both, front or back");
+  return text::bad_argument("--facing", "unknown value " + text::quoted(name),
+                            "give both, front or back");
 }
 
 Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyond) {
@@ -270,8 +270,8 @@ Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyon
   const Result<Vec3> end = arguments::parse_point("--to", to);
   if (!end) return end.error();
   if (*begin == *end) {
-    return output::bad_argument("--to", asset::quoted(to) + " is the same point as --from",
-                                "give another point");
+    return text::bad_argument("--to", text::quoted(to) + " is the same point as --from",
+                              "give another point");
   }
   Ray ray = segment(*begin, *end);
   if (beyond) ray.t_max = std::numeric_limits<float>::infinity();
@@ -280,10 +280,10 @@ Result<Ray> parse_ray(const std::string& from, const std::string& to, bool beyon
 
 Result<std::vector<Ray>> parse_rays(const Arguments& arguments) {
   if (arguments.from.size() != arguments.to.size()) {
-    return output::bad_argument("--to",
-                                "was given " + output::counted(arguments.to.size(), "time") +
-                                    " and --from " + output::counted(arguments.from.size(), "time"),
-                                "give both options for each ray");
+    return text::bad_argument("--to",
+                              "was given " + text::counted(arguments.to.size(), "time") +
+                                  " and --from " + text::counted(arguments.from.size(), "time"),
+                              "give both options for each ray");
   }
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < arguments.from.size(); ++i) {

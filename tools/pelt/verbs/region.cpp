@@ -5,7 +5,6 @@
 #include "tools/pelt/arguments/region_arguments.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/query/frame_query.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"

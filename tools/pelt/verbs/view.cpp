@@ -42,8 +42,10 @@ Result<std::string> temporary_page() {
   std::error_code error;
   std::string folder = fs::temp_directory_path(error) / "pelt-XXXXXX";
   if (!error && mkdtemp(folder.data()) != nullptr) return folder + "/view.html";
-  return Error{ErrorCode::unreadable_file,
-               folder + ": cannot be created: name a file with -o, or set TMPDIR to a folder"};
+  return Error{
+      ErrorCode::unreadable_file,
+      "the page: there is no folder for temporary files: name a file with -o, or set TMPDIR to "
+      "a folder"};
 }
 
 /// xdg-open may run until the browser is closed. In a session of its own, it survives Ctrl+C.

@@ -1,12 +1,12 @@
-#include "asset/printable.hpp"
+#include "text/printable.hpp"
 
 #include <gtest/gtest.h>
 
 namespace pelt::test {
 namespace {
 
-using asset::printable;
-using asset::printable_name;
+using text::printable;
+using text::printable_name;
 
 TEST(Printable, KeepsWordsOfAllLanguages) {
   for (const char* text :
@@ -43,15 +43,15 @@ TEST(Printable, ReplacesEachByteThatIsNotUtf8) {
 }
 
 TEST(Printable, MakesUtf8OfBytes) {
-  EXPECT_EQ(asset::as_utf8("Grüße\x1b"), "Grüße\x1b");
-  EXPECT_EQ(asset::as_utf8("a\xff"
-                           "b\xe2\x80"),
+  EXPECT_EQ(text::as_utf8("Grüße\x1b"), "Grüße\x1b");
+  EXPECT_EQ(text::as_utf8("a\xff"
+                          "b\xe2\x80"),
             "a\xEF\xBF\xBD"
             "b\xEF\xBF\xBD\xEF\xBF\xBD");
 }
 
 TEST(Printable, CutsNamesAfterAWholeCodePoint) {
-  const std::string longest(asset::kLongestName, 'a');
+  const std::string longest(text::kLongestName, 'a');
   EXPECT_EQ(printable_name(longest), longest);
   EXPECT_EQ(printable_name(longest + "b"), longest + "...");
   std::string accents;

@@ -1,13 +1,13 @@
-#include "scenes/closest_name.hpp"
+#include "text/message.hpp"
 
-#include "asset/message.hpp"
+#include "text/printable.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
-#include <utility>
 #include <vector>
 
-namespace pelt::scenes {
+namespace pelt::text {
 namespace {
 
 /// Returns the least number of insertions, deletions, replacements and swaps of neighbours.
@@ -69,13 +69,31 @@ std::string listed(std::span<const std::string_view> names) {
   constexpr std::size_t kMaxShown = 16;
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kMaxShown); ++i) {
-    text += (i == 0 ? "" : ", ") + asset::quoted(names[i]);
+    text += (i == 0 ? "" : ", ") + quoted(names[i]);
   }
   if (names.size() <= kMaxShown) return text;
   return text + " and " + std::to_string(names.size() - kMaxShown) + " more";
 }
 
 }  // namespace
+
+std::string quoted(std::string_view name) { return '"' + printable_name(name) + '"'; }
+
+std::string label(std::string_view kind, std::size_t index, std::string_view name) {
+  std::string text = std::string(kind) + " " + std::to_string(index);
+  return name.empty() ? text : text + " " + quoted(name);
+}
+
+Error prefixed(std::string_view place, const Error& error) {
+  return {error.code, std::string(place) + ": " + error.message};
+}
+
+Error number_not_allowed(const std::string& argument, double value, const std::string& remedy) {
+  char text[32];
+  const char* const begin = text;
+  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
+  return bad_argument(argument, '"' + std::string(begin, end) + "\" is not allowed", remedy);
+}
 
 std::optional<std::string_view> closest_name(std::string_view name,
                                              std::span<const std::string_view> known) {
@@ -85,8 +103,8 @@ std::optional<std::string_view> closest_name(std::string_view name,
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
   if (const auto closest = closest_name(name, known))
-    return ", did you mean " + asset::quoted(*closest) + "?";
+    return ", did you mean " + quoted(*closest) + "?";
   return ", expected one of " + listed(known);
 }
 
-}  // namespace pelt::scenes
+}  // namespace pelt::text

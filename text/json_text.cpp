@@ -1,6 +1,6 @@
-#include "tools/pelt/output/json_text.hpp"
+#include "text/json_text.hpp"
 
-#include "asset/printable.hpp"
+#include "text/printable.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string_view>
 
-namespace pelt::tools::output {
+namespace pelt::text {
 namespace {
 
 bool is_plain(char c) { return static_cast<unsigned char>(c) < 0x7F; }
@@ -30,8 +30,8 @@ std::string escape_steering(std::string_view json) {
     text.append(json.substr(0, count));
     json.remove_prefix(count);
     if (json.empty()) break;
-    const asset::CodePoint point = asset::first_code_point(json);
-    if (asset::steers_terminal(point.value))
+    const CodePoint point = first_code_point(json);
+    if (steers_terminal(point.value))
       text += escape(point.value);
     else
       text.append(json.substr(0, point.bytes));
@@ -48,4 +48,4 @@ std::string json_text(const nlohmann::ordered_json& value, int indent) {
   return std::all_of(text.begin(), text.end(), is_plain) ? text : escape_steering(text);
 }
 
-}  // namespace pelt::tools::output
+}  // namespace pelt::text

@@ -1,8 +1,8 @@
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pelt::tools::output {
+namespace pelt::text {
 namespace {
 
 TEST(Text, Commas) {
@@ -40,4 +40,4 @@ TEST(Text, Words) {
 }
 
 }  // namespace
-}  // namespace pelt::tools::output
+}  // namespace pelt::text

@@ -1,8 +1,8 @@
-#include "asset/printable.hpp"
+#include "text/printable.hpp"
 
 #include <algorithm>
 
-namespace pelt::asset {
+namespace pelt::text {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string printable_name(std::string_view name) {
   return printable(name.substr(0, end)) + "...";
 }
 
-}  // namespace pelt::asset
+}  // namespace pelt::text

@@ -1,10 +1,10 @@
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
-namespace pelt::tools::output {
+namespace pelt::text {
 namespace {
 
 template <typename T>
@@ -18,13 +18,6 @@ bool parse(std::string_view text, T& value) {
 }
 
 }  // namespace
-
-Error number_not_allowed(const std::string& argument, double value, const std::string& remedy) {
-  char text[32];
-  const char* const begin = text;
-  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
-  return bad_argument(argument, '"' + std::string(begin, end) + "\" is not allowed", remedy);
-}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> fields;
@@ -79,4 +72,28 @@ std::string counted(std::uint64_t count, const char* noun) {
   return with_commas(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-}  // namespace pelt::tools::output
+std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t first = 0; first < bytes.size(); first += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      three = three << 8 |
+              (first + i < bytes.size() ? static_cast<unsigned char>(bytes[first + i]) : 0u);
+    for (std::size_t i = 0; i < 4; ++i)
+      text += first + i > bytes.size() ? '=' : kDigits[three >> (18 - 6 * i) & 63];
+  }
+  return text;
+}
+
+std::string shell_word(const std::string& word) {
+  constexpr const char* kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted(1, '\'');
+  for (const char c : word) quoted.append(c == '\'' ? "'\\''" : std::string(1, c));
+  return quoted.append(1, '\'');
+}
+
+}  // namespace pelt::text
