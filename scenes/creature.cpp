@@ -3,8 +3,6 @@
 #include "scenes/creature/body.hpp"
 #include "scenes/creature/expressions.hpp"
 #include "scenes/creature/motion.hpp"
-#include "scenes/creature/skeleton.hpp"
-#include "scenes/creature/talk.hpp"
 
 #include <string>
 #include <utility>

@@ -1,5 +1,7 @@
 #pragma once
 
+/// The body of a creature: its surface, and the joints that it has.
+
 #include <pelt/asset.hpp>
 
 #include "scenes/creature/body_plan.hpp"
@@ -10,6 +12,13 @@
 #include <vector>
 
 namespace pelt::scenes {
+
+inline constexpr std::uint32_t kBaseJoints = 20;
+
+/// A skeleton of `count` joints: for every plan joint, the plan joint that replaces it, which is
+/// itself or its nearest kept ancestor. Left and right keep the same joints. Precondition:
+/// kBaseJoints <= count <= kPlanJoints.
+std::vector<std::uint32_t> choose_joints(const BodyPlan& plan, std::uint32_t count);
 
 /// A character grown from a plan: node 0 has the mesh, and the skeleton is below it.
 struct Body {

@@ -1,9 +1,15 @@
 #pragma once
 
+/// Expressions of a face, and the clip in which it talks.
+
+#include <pelt/asset.hpp>
+
 #include "scenes/creature/body_plan.hpp"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace pelt::scenes {
 
@@ -35,5 +41,9 @@ class Expressions {
   const BodyPlan& bust_;
   std::uint32_t jaw_;  ///< index of the joint
 };
+
+/// The clip "talk" of a bust whose plan joints have these nodes, kNone for omitted joints. Node 0
+/// has the morph targets.
+asset::Clip talk_clip(const BodyPlan& bust, std::span<const std::uint32_t> nodes);
 
 }  // namespace pelt::scenes

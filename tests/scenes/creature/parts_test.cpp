@@ -1,9 +1,9 @@
 #include "scenes/creature/flesh.hpp"
 
+#include "scenes/creature/body.hpp"
 #include "scenes/creature/body_plan.hpp"
 #include "scenes/creature/polygonise.hpp"
 #include "scenes/creature/random.hpp"
-#include "scenes/creature/skeleton.hpp"
 #include "scenes/creature/skin_weights.hpp"
 #include "scenes/creature/surface_mesh.hpp"
 

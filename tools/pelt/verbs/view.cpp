@@ -10,7 +10,9 @@
 
 #include <stdlib.h>
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace pelt::tools::verbs {
 namespace {
