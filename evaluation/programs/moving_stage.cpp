@@ -2,9 +2,8 @@
 #include "evaluation/programs/moving_stage.hpp"
 
 #include "base/instruction_set.hpp"
-#include "motion/moving_overlap.hpp"
+#include "motion/moving_boxes.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_roots.hpp"
 #include "motion/moving_triage.hpp"
 #include "query/pair_descent.hpp"
 #include "query/triangle_batch.hpp"

@@ -7,7 +7,7 @@
 
 #include "evaluation/programs/microseconds.hpp"
 #include "evaluation/programs/moving_stage.hpp"
-#include "motion/steps.hpp"
+#include "motion/moving_tree.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/colliders.hpp"
@@ -81,8 +81,9 @@ class StageCosts {
   bool add(Candidates candidates) {
     if (candidates.empty()) return true;
     expected_.clear();
+    MovingStats work;
     for (const MovingCandidate& c : candidates)
-      expected_.push_back(moving_triangles_intersect(triangle_a(c), triangle_b(c)));
+      expected_.push_back(intersect_while_moving(triangle_a(c), triangle_b(c), work));
     add_exact(candidates);
     return add_question(candidates, true, pairs_) && add_question(candidates, false, times_);
   }
@@ -198,9 +199,10 @@ class SteppedScene {
     }
     for (std::size_t a = 0; a < from_.size(); ++a)
       for (std::size_t b = a + 1; b < from_.size(); ++b) {
-        const detail::Steps steps({from_[a], to_[a]}, {from_[b], to_[b]});
+        const detail::Step step_a = detail::step_of({from_[a], to_[a]});
+        const detail::Step step_b = detail::step_of({from_[b], to_[b]});
         candidates_.clear();
-        active_moving_stage().collect(steps.a(), steps.b(), scratch_.detail(), candidates_);
+        active_moving_stage().collect(step_a.tree(), step_b.tree(), scratch_.detail(), candidates_);
         if (!visit(Candidates(candidates_.begin(), candidates_.size()))) return false;
       }
     return true;

@@ -2,9 +2,8 @@
 #include "evaluation/rivals/united_boxes.hpp"
 
 #include "base/instruction_set.hpp"
-#include "motion/moving_overlap.hpp"
+#include "motion/moving_boxes.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_roots.hpp"
 #include "motion/moving_triangles.hpp"
 #include "query/contact_sink.hpp"
 #include "query/pair_descent.hpp"

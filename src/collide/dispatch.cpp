@@ -2,11 +2,8 @@
 
 #include "base/dispatch.hpp"
 #include "collide/collide_trees.hpp"
-#include "collide/first_contact_steps.hpp"
-#include "collide/first_contact_trees.hpp"
-#include "collide/lowest_contact.hpp"
-#include "collide/moving_trees.hpp"
-#include "collide/search_steps.hpp"
+#include "collide/first_contact.hpp"
+#include "collide/search.hpp"
 
 namespace pelt::detail {
 

@@ -6,13 +6,11 @@
 /// Once triangles are known to intersect at time 0, only the `from` poses matter: both motions are
 /// replaced by motions that stand still.
 
-#include "collide/first_contact_steps.hpp"
+#include "collide/first_contact.hpp"
 
-#include "motion/decide_pair.hpp"
-#include "motion/lanes_until.hpp"
-#include "motion/moving_overlap.hpp"
+#include "motion/moving_boxes.hpp"
+#include "motion/moving_filter.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_roots.hpp"
 
 #include <algorithm>
 #include <bit>

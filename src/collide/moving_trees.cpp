@@ -1,11 +1,11 @@
 /// Descent of two moving trees for triangles that intersect at some time of a step. Nodes are
 /// tested by their boxes at both ends (moving_boxes.hpp), so common motion cancels.
 
-#include "collide/moving_trees.hpp"
+#include "collide/collide_trees.hpp"
 
-#include "motion/moving_overlap.hpp"
+#include "motion/meeting_order.hpp"
+#include "motion/moving_boxes.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_roots.hpp"
 #include "motion/moving_triangles.hpp"
 #include "query/contact_sink.hpp"
 #include "query/pair_descent.hpp"
@@ -49,6 +49,68 @@ MovingStats collide_moving_trees(const MovingTree& a, const MovingTree& b, Scrat
   const bool is_unfinished = descend_from_roots(a, b, scratch.slot_pairs, rule, work);
   rule.flush();
   work.cut_short = sink.cut(is_unfinished);
+  return work;
+}
+
+namespace {
+
+/// Finds the triangles that intersect first. Once a pair is known, only
+/// what may overlap until its time is visited. Nodes whose boxes overlap earliest are visited
+/// first, so that an early pair is found soon.
+class FirstWhileMoving : public MovingOverlap {
+ public:
+  FirstWhileMoving(const Tree& a, const Tree& b, EarliestPair& earliest, MovingStats& work)
+      : pairs_(a, b), earliest_(earliest), work_(work) {}
+
+  static bool is_full() { return false; }
+  static bool is_impatient() { return true; }
+
+  /// Boxes that overlap at time 0 by their depth, and before all others by the negative time.
+  float depth(const MovingNode& a, unsigned slot, const MovingNode& b) const {
+    TimeRanges8 times(latest());
+    slots_in(a, box_of(b), times);
+    const float start = lane_of(times.start(), slot);
+    return start > 0 ? -start : BoxOverlap::depth(a.from, slot, b.from);
+  }
+
+  void test(const MovingCluster& a, const MovingCluster& b) {
+    pairs_.add(a, b, OverlapUntil{latest()}, [this] { flush(); });
+    flush();
+  }
+
+ private:
+  void flush() {
+    const unsigned kept = (1u << pairs_.count()) - 1;
+    if (kept == 0) return;
+    const MovingPairs8 corners = pairs_.corners8();
+    const LanesUntil lanes(corners, kept & ~triage(corners.from).intersecting, latest());
+    for (SetBits pair(lanes.left()); pair; ++pair)
+      if (lanes.start(*pair) <= latest()) decide(*pair);
+    work_.triangle_pairs += pairs_.count();
+    pairs_.clear();
+  }
+
+  void decide(unsigned pair) {
+    earliest_.add(pairs_.contact(pair), pairs_.triangle_a(pair), pairs_.triangle_b(pair), work_);
+    set_latest(earliest_.latest());
+  }
+
+  MovingPairs pairs_;
+  EarliestPair& earliest_;
+  MovingStats& work_;
+};
+
+}  // namespace
+
+MovingStats first_contact_of_trees(const MovingTree& a, const MovingTree& b, Scratch& scratch,
+                                   std::optional<MovingContact>& first) {
+  MovingStats work;
+  first.reset();
+  if (!begin_descent(a, b, work)) return work;
+  EarliestPair earliest;
+  FirstWhileMoving rule(a.tree, b.tree, earliest, work);
+  descend_from_roots(a, b, scratch.slot_pairs, rule, work);
+  first = earliest.contact();
   return work;
 }
 

@@ -2,12 +2,11 @@
 /// triangles, or tests the triangles of clusters. A region is cut with the boxes of the new items
 /// and prunes them, so regions shrink even where boxes computed on demand do not nest.
 
-#include "collide/search_steps.hpp"
+#include "collide/search.hpp"
 
 #include "collide/cluster_pair.hpp"
-#include "collide/needed_nodes.hpp"
 #include "collide/open_queue.hpp"
-#include "collide/search_rank.hpp"
+#include "collide/search_work.hpp"
 #include "pose/open_node.hpp"
 #include "query/pair_descent.hpp"
 

@@ -3,7 +3,6 @@
 #include "base/bytes_held.hpp"
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
-#include "collide/moving_trees.hpp"
 #include "query/sort_contacts.hpp"
 #include "self/self_filter.hpp"
 #include "self/self_moving_tree.hpp"

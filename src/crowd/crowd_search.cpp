@@ -2,8 +2,7 @@
 
 #include "base/bytes_held.hpp"
 #include "base/require.hpp"
-#include "collide/search_answers.hpp"
-#include "collide/search_steps.hpp"
+#include "collide/search.hpp"
 #include "query/answers.hpp"
 #include "query/sort_contacts.hpp"
 

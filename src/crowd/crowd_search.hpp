@@ -10,7 +10,7 @@
 
 #include "base/arena.hpp"
 #include "base/workers.hpp"
-#include "collide/search_state.hpp"
+#include "collide/search.hpp"
 #include "crowd/instances.hpp"
 #include "query/scratch.hpp"
 

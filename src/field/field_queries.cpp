@@ -6,7 +6,7 @@
 #include "field/field_collide.hpp"
 #include "field/field_distance.hpp"
 #include "field/moving_field.hpp"
-#include "motion/steps.hpp"
+#include "motion/moving_tree.hpp"
 #include "pose/pose.hpp"
 #include "query/answers.hpp"
 #include "query/find_triangle.hpp"
@@ -27,9 +27,8 @@ QueryStats find_contacts(const PosedTree& posed, const HeightField& field, Scrat
 
 MovingStats find_moving(const Motion& motion, const HeightField& field, Scratch& scratch,
                         const MovingOptions& options) {
-  detail::require_step(motion);
-  const PosedTree from = motion.from.detail().posed_tree(), to = motion.to.detail().posed_tree();
-  return detail::collide_moving_field({from, to}, field.detail(), scratch.detail(), options);
+  return detail::collide_moving_field(detail::step_of(motion).tree(), field.detail(),
+                                      scratch.detail(), options);
 }
 
 }  // namespace
@@ -55,11 +54,9 @@ MovingStats collide(const Motion& motion, const HeightField& field, Scratch& scr
 }
 
 YesNo intersects(const Motion& motion, const HeightField& field, Scratch& scratch) {
-  MovingOptions options;
-  options.times = false;
-  options.max_contacts = 1;
-  const MovingStats stats = find_moving(motion, field, scratch, options);
-  return detail::yes_or_no(!scratch.detail().moving.empty(), stats);
+  return detail::touches_while_moving(scratch.detail(), [&](const MovingOptions& options) {
+    return find_moving(motion, field, scratch, options);
+  });
 }
 
 QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Distance& result,

@@ -13,6 +13,7 @@
 #include "base/vec3.hpp"
 #include "exact/critical_time.hpp"
 #include "motion/moving_determinants.hpp"
+#include "motion/moving_filter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -113,6 +114,30 @@ std::optional<int> certain_order(const MeetingPair& p, const MeetingPair& q) {
 int compare_first_times(const MeetingPair& p, const MeetingPair& q) {
   if (const std::optional<int> order = certain_order(p, q)) return *order;
   return first_time_of(p.a, p.b).compare(first_time_of(q.a, q.b));
+}
+
+void EarliestPair::add(const Contact& contact, const MovingTriangle& a, const MovingTriangle& b,
+                       MovingStats& work) {
+  const std::optional<FirstMeeting> first = find_first_meeting(a, b, work);
+  if (first && !first->at_start) add(contact, {a, b, *first});
+}
+
+bool EarliestPair::add(const Contact& contact, const MeetingPair& pair) {
+  std::optional<int> order = pair_ ? certain_order(pair, *pair_) : -1;
+  const bool is_certain = order.has_value();
+  if (!is_certain) order = compare_first_times(pair, *pair_);
+  if (*order < 0 || (*order == 0 && contact < contact_)) {
+    contact_ = contact;
+    pair_ = pair;
+  }
+  return is_certain;
+}
+
+float EarliestPair::latest() const { return pair_ ? std::nextafter(pair_->first.time, 2.0f) : 1; }
+
+std::optional<MovingContact> EarliestPair::contact() const {
+  if (!pair_) return std::nullopt;
+  return moving_contact(contact_, pair_->first);
 }
 
 }  // namespace pelt::detail

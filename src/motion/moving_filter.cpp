@@ -3,17 +3,124 @@
 /// halved where necessary, so that the ends of all pieces are floats.
 #include "motion/moving_filter.hpp"
 
-#include "motion/box_times.hpp"
+#include "base/bits.hpp"
+#include "exact/critical_time.hpp"
 #include "motion/moving_pieces.hpp"
+#include "motion/moving_polynomials.hpp"
 #include "motion/moving_search.hpp"
-#include "motion/rounded_root.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 namespace pelt::detail {
 namespace moving {
 namespace {
+
+/// Times outside which the boxes of the triangles are disjoint: multiples of 2^-10.
+class BoxTimes {
+ public:
+  BoxTimes(const MovingTriangle& a, const MovingTriangle& b) {
+    cut(a, b, &Vec3::x);
+    cut(a, b, &Vec3::y);
+    cut(a, b, &Vec3::z);
+    if (end_ < start_) return;
+    start_ = std::min(std::floor(start_ * 0x1p10), 1023.0) * 0x1p-10;
+    end_ = std::max(std::ceil(end_ * 0x1p10) * 0x1p-10, start_ + 0x1p-10);
+  }
+
+  bool is_empty() const { return end_ < start_; }
+  double start() const { return start_; }
+  double end() const { return end_; }
+
+ private:
+  struct Range {
+    double low, high;
+
+    Range(const TriangleCorners& t, float Vec3::*axis)
+        : low(std::min({t[0].*axis, t[1].*axis, t[2].*axis})),
+          high(std::max({t[0].*axis, t[1].*axis, t[2].*axis})) {}
+  };
+
+  void cut(const MovingTriangle& a, const MovingTriangle& b, float Vec3::*axis) {
+    const Range a0(a.from, axis), a1(a.to, axis), b0(b.from, axis), b1(b.to, axis);
+    cut(b0.low - a0.high, b1.low - a1.high);
+    cut(a0.low - b0.high, a1.low - b1.high);
+  }
+
+  /// Leaves out the times at which there is a gap, given at times 0 and 1. The quotient has four
+  /// relative errors 2^-53.
+  void cut(double gap_at_0, double gap_at_1) {
+    if (gap_at_0 > 0 && gap_at_1 > 0) end_ = -1;
+    if ((gap_at_0 > 0) == (gap_at_1 > 0)) return;
+    const double quotient = gap_at_0 / (gap_at_0 - gap_at_1);
+    if (gap_at_0 > 0) start_ = std::max(start_, quotient * (1 - 0x1p-50));
+    if (gap_at_1 > 0) end_ = std::min(end_, quotient * (1 + 0x1p-50));
+  }
+
+  double start_ = 0, end_ = 1;
+};
+
+/// The corners of a determinant, in its order.
+std::array<std::size_t, 4> corners_of(const FeaturePair& features) {
+  const std::size_t i = features.i, j = features.j;
+  if (features.kind == FeaturePair::Kind::face_and_corner) return {0, 1, 2, 3 + j};
+  if (features.kind == FeaturePair::Kind::corner_and_face) return {3, 4, 5, i};
+  return {i, (i + 1) % 3, 3 + j, 3 + (j + 1) % 3};
+}
+
+/// The sign of a determinant at floats, on a piece in which it has one root.
+class SignAtFloat {
+ public:
+  SignAtFloat(const MovingTriangle& a, const MovingTriangle& b, const Piece& piece,
+              unsigned determinant, double error)
+      : a_(a), b_(b), piece_(piece), determinant_(determinant), error_(error) {}
+
+  int operator()(float time) {
+    const double value = value_at(time);
+    if (value > error_) return 1;
+    return value < -error_ ? -1 : exact_sign(time);
+  }
+
+ private:
+  double value_at(double time) const {
+    const double per_time = 1 / (piece_.end - piece_.start);
+    const double part = (time - piece_.start) * per_time, rest = (piece_.end - time) * per_time;
+    const auto coefficient = [&](std::size_t k) { return piece_.cubics[k][determinant_]; };
+    return rest * rest * (rest * coefficient(0) + 3 * part * coefficient(1)) +
+           part * part * (3 * rest * coefficient(2) + part * coefficient(3));
+  }
+
+  int exact_sign(float time) {
+    if (!exact_)
+      exact_ = orient3d_polynomial(moving_points(a_, b_), corners_of(FeaturePair(determinant_)));
+    return sign_at(*exact_, dyadic(double{time}));
+  }
+
+  const MovingTriangle &a_, &b_;
+  const Piece& piece_;
+  unsigned determinant_;
+  double error_;
+  std::optional<Cubic> exact_;
+};
+
+/// The largest float that is not above the root. `guess`: a time near it. Precondition: the ends of
+/// the piece are floats, and the sign is certain there.
+float rounded_down(const Piece& piece, double guess, SignAtFloat& sign) {
+  const auto bits = [](double time) { return bits_as<std::uint32_t>(static_cast<float>(time)); };
+  std::uint32_t low = bits(piece.start), high = bits(piece.end);
+  std::uint32_t middle = std::clamp(bits(guess), low + 1, high - 1);
+  const int sign_after = sign(static_cast<float>(piece.end));
+  for (bool is_near = true; high - low > 1; is_near = false) {
+    const bool is_after = sign(bits_as<float>(middle)) == sign_after;
+    (is_after ? high : low) = middle;
+    middle = !is_near ? low + (high - low) / 2 : is_after ? high - 1 : low + 1;
+  }
+  return bits_as<float>(low);
+}
 
 Vectors vectors(const TriangleCorners& a, const TriangleCorners& b) {
   const Vec3d of_a[3] = {Vec3d(a[0]), Vec3d(a[1]), Vec3d(a[2])};
@@ -127,17 +234,29 @@ bool find_certain_first_meeting(const MovingTriangle& a, const MovingTriangle& b
   return answer != CertainAnswer::unknown;
 }
 
-bool moving_triangles_intersect(const MovingTriangle& a, const MovingTriangle& b) {
+bool intersect_while_moving(const MovingTriangle& a, const MovingTriangle& b, MovingStats& work) {
+  ++work.double_pairs;
   const CertainAnswer answer = certainly_intersect(a, b);
   if (answer != CertainAnswer::unknown) return answer == CertainAnswer::yes;
+  ++work.exact_pairs;
   return first_meeting(a, b).has_value();
 }
 
-std::optional<FirstMeeting> filtered_first_meeting(const MovingTriangle& a,
-                                                   const MovingTriangle& b) {
-  std::optional<FirstMeeting> meeting;
-  if (find_certain_first_meeting(a, b, meeting)) return meeting;
+std::optional<FirstMeeting> find_first_meeting(const MovingTriangle& a, const MovingTriangle& b,
+                                               MovingStats& work) {
+  ++work.double_pairs;
+  std::optional<FirstMeeting> first;
+  if (find_certain_first_meeting(a, b, first)) return first;
+  ++work.exact_pairs;
   return first_meeting(a, b);
+}
+
+MovingContact moving_contact(const Contact& contact, const FirstMeeting& first) {
+  const auto feature = [](const ClosedFeature& f) {
+    return Feature{static_cast<FeatureKind>(f.kind), f.number};
+  };
+  if (first.at_start) return {contact, 0, true, {}, {}};
+  return {contact, first.time, false, feature(first.a), feature(first.b)};
 }
 
 }  // namespace pelt::detail

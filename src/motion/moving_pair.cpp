@@ -33,9 +33,7 @@
 /// common part is an end of the edge or a point of an edge of the other.
 #include "motion/moving_pair.hpp"
 
-#include "motion/candidate_times.hpp"
-#include "motion/feature_pairs.hpp"
-#include "motion/instant_corners.hpp"
+#include "motion/instants.hpp"
 
 namespace pelt::detail {
 namespace {

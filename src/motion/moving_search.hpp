@@ -15,7 +15,6 @@
 /// disjoint features. No other features intersect then, so these are also the first ones in the
 /// order of `FirstMeeting`: the corner is inside the face, and the edges cross between their ends.
 
-#include "motion/moving_features.hpp"
 #include "motion/moving_filter.hpp"
 #include "motion/moving_pieces.hpp"
 

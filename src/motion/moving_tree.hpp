@@ -2,7 +2,11 @@
 
 /// View of a step for queries: one tree in two poses. A node is opened in both.
 
+#include <pelt/motion.hpp>
+
 #include "pose/open_node.hpp"
+#include "query/answers.hpp"
+#include "query/scratch.hpp"
 #include "query/slots.hpp"
 
 namespace pelt::detail {
@@ -34,4 +38,29 @@ inline MovingNode open_node(const MovingTree& moving, std::uint32_t node, QueryS
 }
 
 }  // namespace PELT_INSTRUCTION_SET
+
+/// Views of both poses of a step.
+struct Step {
+  MovingTree tree() const { return {from, to}; }
+
+  PosedTree from, to;
+};
+
+/// Aborts unless both poses of the motion are of one model.
+Step step_of(const Motion& motion);
+
+/// Aborts unless both motions are of one model each and have no pose in common.
+void require_steps(const Motion& a, const Motion& b);
+
+/// Whether things touch at some time. `find(options)` writes at most one contact to
+/// `scratch.moving`.
+template <typename Find>
+YesNo touches_while_moving(const Scratch& scratch, const Find& find) {
+  MovingOptions options;
+  options.times = false;
+  options.max_contacts = 1;
+  const MovingStats stats = find(options);
+  return yes_or_no(!scratch.moving.empty(), stats);
+}
+
 }  // namespace pelt::detail

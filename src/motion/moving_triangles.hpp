@@ -12,7 +12,7 @@
 
 #include <pelt/motion.hpp>
 
-#include "motion/decide_pair.hpp"
+#include "motion/moving_filter.hpp"
 #include "motion/moving_triage.hpp"
 #include "query/stack.hpp"
 

@@ -1,6 +1,6 @@
 #include "self/decide_neighbours.hpp"
 
-#include "motion/decide_pair.hpp"
+#include "motion/moving_filter.hpp"
 #include "self/neighbour_filter.hpp"
 
 namespace pelt::detail {

@@ -15,9 +15,7 @@
 /// critical time and not at it.
 #include "self/moving_neighbours.hpp"
 
-#include "motion/candidate_times.hpp"
-#include "motion/feature_pairs.hpp"
-#include "motion/instant_corners.hpp"
+#include "motion/instants.hpp"
 #include "self/neighbour_by_signs.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include <pelt/self.hpp>
 
 #include "base/require.hpp"
-#include "motion/steps.hpp"
+#include "motion/moving_tree.hpp"
 #include "pose/pose.hpp"
 #include "query/answers.hpp"
 #include "query/scratch.hpp"
@@ -13,12 +13,10 @@ namespace {
 
 SelfMovingStats search(const Motion& motion, const SelfFilter& filter, Scratch& scratch,
                        const MovingOptions& options) {
-  detail::require_step(motion);
+  const detail::Step step = detail::step_of(motion);
   detail::require(&filter.model().detail() == &motion.from.model().detail(),
                   "self_collide: the filter is of another model");
-  const detail::PosedTree from = motion.from.detail().posed_tree();
-  const detail::PosedTree to = motion.to.detail().posed_tree();
-  return detail::self_collide_moving_tree({from, to}, filter.detail(), scratch.detail(), options);
+  return detail::self_collide_moving_tree(step.tree(), filter.detail(), scratch.detail(), options);
 }
 
 }  // namespace
@@ -37,11 +35,9 @@ SelfMovingStats self_collide(const Motion& motion, const SelfFilter& filter, Scr
 }
 
 YesNo self_intersects(const Motion& motion, const SelfFilter& filter, Scratch& scratch) {
-  MovingOptions options;
-  options.times = false;
-  options.max_contacts = 1;
-  const SelfMovingStats stats = search(motion, filter, scratch, options);
-  return detail::yes_or_no(!scratch.detail().moving.empty(), stats);
+  return detail::touches_while_moving(scratch.detail(), [&](const MovingOptions& options) {
+    return search(motion, filter, scratch, options);
+  });
 }
 
 }  // namespace pelt

@@ -4,7 +4,7 @@
 
 #include "self/self_moving_tree.hpp"
 
-#include "motion/moving_overlap.hpp"
+#include "motion/moving_boxes.hpp"
 #include "motion/moving_pairs.hpp"
 #include "motion/moving_triangles.hpp"
 #include "pose/open_node.hpp"

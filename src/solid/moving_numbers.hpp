@@ -6,7 +6,7 @@
 /// of time, for the templates of capsule_by_signs.hpp and faces_by_signs.hpp.
 
 #include "exact/critical_time.hpp"
-#include "motion/instant_signs.hpp"
+#include "motion/instants.hpp"
 #include "solid/moving_region.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <pelt/solid.hpp>
 
-#include "motion/steps.hpp"
+#include "motion/moving_tree.hpp"
 #include "pose/pose.hpp"
 #include "query/answers.hpp"
 #include "query/scratch.hpp"
@@ -14,13 +14,11 @@ namespace {
 /// Writes the triangles to `scratch`, in no particular order.
 MovingStats find_moving(const Motion& motion, const Region& region, Scratch& scratch,
                         const MovingOptions& options) {
-  detail::require_step(motion);
-  const detail::PosedTree from = motion.from.detail().posed_tree();
-  const detail::PosedTree to = motion.to.detail().posed_tree();
+  const detail::Step step = detail::step_of(motion);
   const detail::PreparedRegion prepared(region);
-  return prepared.is_capsule ? detail::descend_moving_in_capsule({from, to}, prepared.capsule,
+  return prepared.is_capsule ? detail::descend_moving_in_capsule(step.tree(), prepared.capsule,
                                                                  scratch.detail(), options)
-                             : detail::descend_moving_in_faces({from, to}, prepared.faces,
+                             : detail::descend_moving_in_faces(step.tree(), prepared.faces,
                                                                scratch.detail(), options);
 }
 
@@ -38,11 +36,9 @@ MovingStats collide(const Motion& motion, const Region& region, Scratch& scratch
 }
 
 YesNo intersects(const Motion& motion, const Region& region, Scratch& scratch) {
-  MovingOptions options;
-  options.times = false;
-  options.max_contacts = 1;
-  const MovingStats stats = find_moving(motion, region, scratch, options);
-  return detail::yes_or_no(!scratch.detail().moving.empty(), stats);
+  return detail::touches_while_moving(scratch.detail(), [&](const MovingOptions& options) {
+    return find_moving(motion, region, scratch, options);
+  });
 }
 
 }  // namespace pelt

@@ -2,7 +2,6 @@
 
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
-#include "collide/pair_roots.hpp"
 #include "model/surface.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"

@@ -2,8 +2,8 @@
 
 #include <pelt/search.hpp>
 
+#include "collide/first_contact.hpp"
 #include "collide/moving_search_bodies.hpp"
-#include "collide/search_of_motions.hpp"
 #include "support/allocation_count.hpp"
 
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 
 #include "base/bits.hpp"
 #include "base/hash.hpp"
+#include "collide/first_contact.hpp"
 #include "collide/moving_search_bodies.hpp"
-#include "collide/search_of_motions.hpp"
 #include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 /// The lowest contact of two poses, against all contacts.
-#include "collide/lowest_contact.hpp"
+#include "collide/collide_trees.hpp"
 
 #include "contacts_of.hpp"
 #include "pose/pose.hpp"

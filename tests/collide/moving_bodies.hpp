@@ -69,11 +69,12 @@ inline bool are_far(const detail::MovingTriangle& a, const detail::MovingTriangl
 
 inline std::vector<MovingContact> brute_force_moving(const std::vector<detail::MovingTriangle>& a,
                                                      const std::vector<detail::MovingTriangle>& b) {
+  MovingStats work;
   std::vector<MovingContact> contacts;
   for (std::uint32_t i = 0; i < a.size(); ++i)
     for (std::uint32_t k = 0; k < b.size(); ++k) {
       if (are_far(a[i], b[k])) continue;
-      if (const auto first = detail::filtered_first_meeting(a[i], b[k])) {
+      if (const auto first = detail::find_first_meeting(a[i], b[k], work)) {
         MovingContact contact{{i, k}, first->time, first->at_start, {}, {}};
         if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
         contacts.push_back(contact);

@@ -1,4 +1,4 @@
-#include "collide/row_lanes.hpp"
+#include "collide/cluster_pair.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
 #include <pelt/search.hpp>
 
 #include "collide/contacts_of.hpp"
-#include "collide/search_answers.hpp"
+#include "collide/search.hpp"
 #include "collide/search_bodies.hpp"
-#include "collide/search_of_poses.hpp"
 #include "model/triangle_places.hpp"
 #include "support/random.hpp"
 

@@ -8,6 +8,7 @@ namespace pelt::test {
 namespace {
 
 std::vector<MovingContact> brute_force(const Body& body, const HeightField& field) {
+  MovingStats work;
   std::vector<MovingContact> contacts;
   const auto triangles = body.triangles();
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
@@ -15,7 +16,7 @@ std::vector<MovingContact> brute_force(const Body& body, const HeightField& fiel
       const auto corners = field.triangle(k);
       const detail::MovingTriangle still = {corners, corners};
       if (is_hole(corners) || are_far(triangles[i], still)) continue;
-      if (const auto first = detail::filtered_first_meeting(triangles[i], still)) {
+      if (const auto first = detail::find_first_meeting(triangles[i], still, work)) {
         MovingContact contact{{i, k}, first->time, first->at_start, {}, {}};
         if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
         contacts.push_back(contact);

@@ -66,10 +66,11 @@ struct Expected {
   std::optional<MovingContact> first;
 
   Expected(const SteppingBody& a, const SteppingBody& b) {
+    MovingStats work;
     std::optional<detail::MeetingPair> earliest;
     for (std::uint32_t i = 0; i < a.triangles.size(); ++i)
       for (std::uint32_t k = 0; k < b.triangles.size(); ++k) {
-        const auto meeting = detail::filtered_first_meeting(a.triangles[i], b.triangles[k]);
+        const auto meeting = detail::find_first_meeting(a.triangles[i], b.triangles[k], work);
         if (!meeting) continue;
         contacts.push_back(moving_contact({i, k}, *meeting));
         const detail::MeetingPair pair = {a.triangles[i], b.triangles[k], *meeting};

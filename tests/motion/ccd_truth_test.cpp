@@ -58,10 +58,11 @@ void ask(const CcdQuery& query, Tally& tally) {
   is_different |= !have_equal_times(answer, expected);
   if (const auto floats = collapsed_triangles(query)) {
     const auto& [a, b] = *floats;
+    MovingStats work;
     ++tally.as_floats;
     is_different |= detail::first_meeting(a, b) != answer;
-    is_different |= detail::filtered_first_meeting(a, b) != answer;
-    is_different |= detail::moving_triangles_intersect(a, b) != answer.has_value();
+    is_different |= detail::find_first_meeting(a, b, work) != answer;
+    is_different |= detail::intersect_while_moving(a, b, work) != answer.has_value();
   }
   if (!is_different) return;
   if (++tally.differences <= 5)

@@ -33,8 +33,9 @@ TriangleCorners moved(const TriangleCorners& t, const Vec3& shift) {
 /// Expects the same answer with a filter and without.
 std::optional<FirstMeeting> meeting_of(const MovingPair& pair) {
   const auto meeting = first_meeting(pair.a, pair.b);
-  EXPECT_EQ(detail::filtered_first_meeting(pair.a, pair.b), meeting);
-  EXPECT_EQ(detail::moving_triangles_intersect(pair.a, pair.b), meeting.has_value());
+  MovingStats work;
+  EXPECT_EQ(detail::find_first_meeting(pair.a, pair.b, work), meeting);
+  EXPECT_EQ(detail::intersect_while_moving(pair.a, pair.b, work), meeting.has_value());
   return meeting;
 }
 

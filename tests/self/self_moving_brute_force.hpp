@@ -35,6 +35,7 @@ inline std::vector<MovingContact> brute_force_self_moving(
     const std::vector<detail::MovingTriangle>& triangles, const SurfaceCornersOfAll& corners,
     bool with_filter = false) {
   std::vector<MovingContact> contacts;
+  MovingStats work;
   const auto add = [&](std::uint32_t s, std::uint32_t t,
                        const std::optional<detail::FirstMeeting>& first) {
     if (!first) return;
@@ -48,7 +49,7 @@ inline std::vector<MovingContact> brute_force_self_moving(
       const detail::MovingSurfaceTriangle a = {triangles[s], corners[s]};
       const detail::MovingSurfaceTriangle b = {triangles[t], corners[t]};
       if (!share_vertex(corners[s], corners[t]))
-        add(s, t, detail::filtered_first_meeting(triangles[s], triangles[t]));
+        add(s, t, detail::find_first_meeting(triangles[s], triangles[t], work));
       else if (!with_filter || !detail::certainly_apart(a, b))
         add(s, t, detail::first_meeting_of_neighbours(a, b));
     }

@@ -1,13 +1,21 @@
-#include "motion/steps.hpp"
+#include "motion/moving_tree.hpp"
 
 #include "base/require.hpp"
 #include "pose/pose.hpp"
 
 namespace pelt::detail {
+namespace {
 
 void require_step(const Motion& motion) {
   require(&motion.from.model().detail() == &motion.to.model().detail(),
           "Motion: the poses of a motion are of different models");
+}
+
+}  // namespace
+
+Step step_of(const Motion& motion) {
+  require_step(motion);
+  return {motion.from.detail().posed_tree(), motion.to.detail().posed_tree()};
 }
 
 void require_steps(const Motion& a, const Motion& b) {
@@ -17,11 +25,5 @@ void require_steps(const Motion& a, const Motion& b) {
       &a.from == &b.from || &a.from == &b.to || &a.to == &b.from || &a.to == &b.to;
   require(!is_shared, "Motion: `a` and `b` have a pose in common");
 }
-
-Steps::Steps(const Motion& a, const Motion& b)
-    : a_from_(a.from.detail().posed_tree()),
-      a_to_(a.to.detail().posed_tree()),
-      b_from_(b.from.detail().posed_tree()),
-      b_to_(b.to.detail().posed_tree()) {}
 
 }  // namespace pelt::detail
