@@ -45,7 +45,7 @@ class IntersectingUnited : public detail::MovingOverlap {
   IntersectingUnited(const detail::Tree& a, const detail::Tree& b,
                      const detail::LimitedSink<MovingContact>& sink, const MovingOptions& options,
                      MovingStats& work)
-      : sink_(sink), pairs_(a, b), triangles_(pairs_, sink.contacts(), options, work) {}
+      : sink_(sink), pairs_(a, b), triangles_(pairs_, sink, options, work) {}
 
   static bool overlaps(const MovingNode& a, const MovingNode& b) {
     return OverlapOfUnions()(box_of(a), box_of(b)) != 0;
@@ -77,7 +77,7 @@ class IntersectingUnited : public detail::MovingOverlap {
 
   const detail::LimitedSink<MovingContact>& sink_;
   detail::MovingPairs pairs_;
-  detail::MovingTriangles<detail::MovingPairs> triangles_;
+  detail::MovingTriangles<detail::MovingPairs, const detail::LimitedSink<MovingContact>> triangles_;
 };
 
 }  // namespace

@@ -41,7 +41,7 @@ RowLanes overlapping_pairs(unsigned near_rows, const TriangleBoxes& rows, unsign
 
 }  // namespace
 
-void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b) {
+void WaitingTriangles::add(const PosedCluster& a, const PosedCluster& b) {
   const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
   const TriangleBoxes& boxes_b = triangle_boxes(b.posed, b.node, b.opened, b.slot);
   const Box8 both = intersection(a, b);
@@ -49,15 +49,14 @@ void TrianglePairs::add(const PosedCluster& a, const PosedCluster& b) {
   const unsigned near_b = triangles_in(b.cluster(), boxes_b, both);
   if (near_a == 0 || near_b == 0) return;
   if (std::popcount(near_a) <= std::popcount(near_b)) {
-    keep(overlapping_pairs(near_a, boxes_a, near_b, boxes_b), a, a_, b, b_);
+    add(overlapping_pairs(near_a, boxes_a, near_b, boxes_b), a, a_, b, b_);
   } else {
-    keep(overlapping_pairs(near_b, boxes_b, near_a, boxes_a), b, b_, a, a_);
+    add(overlapping_pairs(near_b, boxes_b, near_a, boxes_a), b, b_, a, a_);
   }
-  test_full_batches();
 }
 
-void TrianglePairs::keep(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
-                         const PosedCluster& lane_cluster, Side& lanes) {
+void WaitingTriangles::add(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
+                           const PosedCluster& lane_cluster, Side& lanes) {
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     rows.triangle[count_ + i] = row_cluster.cluster().first_triangle + pairs.row(i);
     rows.positions[count_ + i] = row_cluster.opened.positions;
@@ -67,10 +66,22 @@ void TrianglePairs::keep(const RowLanes& pairs, const PosedCluster& row_cluster,
   count_ += pairs.size();
 }
 
-void TrianglePairs::test_full_batches() {
-  if (count_ < kBatch) return;
-  std::uint32_t first = 0;
-  for (; first + kBatch <= count_; first += kBatch) test(first, kBatch);
+WaitingTriangles::Found WaitingTriangles::test(std::uint32_t first, std::uint32_t count) {
+  for (std::uint32_t i = count; i < kBatch; ++i) {
+    a_.copy(first, first + i);
+    b_.copy(first, first + i);
+  }
+  TrianglePairs8 pairs;
+  a_.corners8(first, pairs.a);
+  b_.corners8(first, pairs.b);
+  const unsigned kept = (1u << count) - 1;
+  const Triage verdict = triage(pairs);
+  const auto corners_a = [&](unsigned lane) { return a_.corners(first + lane); };
+  const auto corners_b = [&](unsigned lane) { return b_.corners(first + lane); };
+  return {kept & verdict.intersecting, decide_exactly(verdict, kept, corners_a, corners_b)};
+}
+
+void WaitingTriangles::drop(std::uint32_t first) {
   count_ -= first;
   for (std::uint32_t i = 0; i < count_; ++i) {
     a_.copy(first + i, i);
@@ -78,35 +89,11 @@ void TrianglePairs::test_full_batches() {
   }
 }
 
-void TrianglePairs::flush() {
-  if (count_ == 0) return;
-  for (std::uint32_t i = count_; i < kBatch; ++i) {
-    a_.copy(0, i);
-    b_.copy(0, i);
-  }
-  test(0, count_);
-  count_ = 0;
-}
-
-void TrianglePairs::test(std::uint32_t first, std::uint32_t count) {
-  TrianglePairs8 pairs;
-  a_.corners8(first, pairs.a);
-  b_.corners8(first, pairs.b);
-  const unsigned kept = (1u << count) - 1;
-  const Triage verdict = triage(pairs);
-  for (SetBits lane(kept & verdict.intersecting); lane; ++lane) report(first + *lane);
-  const auto corners_a = [&](unsigned lane) { return a_.corners(first + lane); };
-  const auto corners_b = [&](unsigned lane) { return b_.corners(first + lane); };
-  for (SetBits lane(decide_exactly(verdict, kept, corners_a, corners_b)); lane; ++lane)
-    report(first + *lane);
-  work_.triangle_pairs += count;
-}
-
-TriangleCorners TrianglePairs::Side::corners(std::uint32_t i) const {
+TriangleCorners WaitingTriangles::Side::corners(std::uint32_t i) const {
   return corners_at([&](std::size_t k) { return corner(i, k); });
 }
 
-void TrianglePairs::Side::corners8(std::uint32_t first, Points8 (&corners)[3]) const {
+void WaitingTriangles::Side::corners8(std::uint32_t first, Points8 (&corners)[3]) const {
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = gather_points([&](std::uint32_t lane) { return corner(first + lane, k); });
 }

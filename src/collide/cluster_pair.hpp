@@ -57,26 +57,32 @@ class RowLanes {
   std::uint8_t pairs_[16 * 16 + 8];
 };
 
-class TrianglePairs {
+/// Pairs of triangles of two posed trees that wait until there are eight to test.
+class WaitingTriangles {
  public:
-  TrianglePairs(const Tree& tree_a, const Tree& tree_b, Stack<Contact>& contacts, QueryStats& work)
-      : a_(tree_a), b_(tree_b), contacts_(contacts), work_(work) {}
+  WaitingTriangles(const Tree& tree_a, const Tree& tree_b) : a_(tree_a), b_(tree_b) {}
 
-  /// Tests all triangles of two clusters whose boxes overlap, or stores them for the next test.
+  std::uint32_t count() const { return count_; }
+  Contact contact(std::uint32_t i) const { return {a_.id(i), b_.id(i)}; }
+
+  /// Adds the pairs of triangles of two clusters whose boxes overlap.
   void add(const PosedCluster& a, const PosedCluster& b);
 
-  /// Tests these pairs of triangles, or stores them: rows are triangles of `a`, lanes triangles of
-  /// `b`.
+  /// Adds these pairs: rows are triangles of `a`, lanes triangles of `b`.
   void add(const PosedCluster& a, const PosedCluster& b, const RowLanes& pairs) {
-    keep(pairs, a, a_, b, b_);
-    test_full_batches();
+    add(pairs, a, a_, b, b_);
   }
 
-  /// Tests the stored pairs.
-  void flush();
+  /// Intersecting pairs of eight, one bit each: by the float test, and by the exact predicate.
+  struct Found {
+    unsigned certainly, exactly;
+  };
 
-  /// Number of stored pairs.
-  std::uint32_t waiting() const { return count_; }
+  /// Tests `count` pairs, at most eight, from number `first` on.
+  Found test(std::uint32_t first, std::uint32_t count);
+
+  /// Removes the pairs below number `first`.
+  void drop(std::uint32_t first);
 
  private:
   static constexpr std::uint32_t kRoom = kBatch + kMaxClusterTriangles * kMaxClusterTriangles;
@@ -102,15 +108,60 @@ class TrianglePairs {
     const float* positions[kRoom];  ///< posed pool of the triangle
   };
 
-  void keep(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
-            const PosedCluster& lane_cluster, Side& lanes);
-  void test_full_batches();
-  void test(std::uint32_t first, std::uint32_t count);
-  void report(std::uint32_t i) { contacts_.push(Contact{a_.id(i), b_.id(i)}); }
+  void add(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
+           const PosedCluster& lane_cluster, Side& lanes);
 
   Side a_, b_;
   std::uint32_t count_ = 0;
-  Stack<Contact>& contacts_;
+};
+
+/// Pushes the touching triangles of pairs of clusters to a sink: `sink.push(contact)`.
+template <typename Sink>
+class TrianglePairs {
+ public:
+  TrianglePairs(const Tree& tree_a, const Tree& tree_b, Sink& sink, QueryStats& work)
+      : waiting_(tree_a, tree_b), sink_(sink), work_(work) {}
+
+  /// Tests all triangles of two clusters whose boxes overlap, or stores them for the next test.
+  void add(const PosedCluster& a, const PosedCluster& b) {
+    waiting_.add(a, b);
+    test_full_batches();
+  }
+
+  /// Tests these pairs of triangles, or stores them: rows are triangles of `a`, lanes triangles of
+  /// `b`.
+  void add(const PosedCluster& a, const PosedCluster& b, const RowLanes& pairs) {
+    waiting_.add(a, b, pairs);
+    test_full_batches();
+  }
+
+  /// Tests the stored pairs.
+  void flush() {
+    if (waiting_.count() == 0) return;
+    test(0, waiting_.count());
+    waiting_.drop(waiting_.count());
+  }
+
+  /// Number of stored pairs.
+  std::uint32_t waiting() const { return waiting_.count(); }
+
+ private:
+  void test_full_batches() {
+    if (waiting_.count() < kBatch) return;
+    std::uint32_t first = 0;
+    for (; first + kBatch <= waiting_.count(); first += kBatch) test(first, kBatch);
+    waiting_.drop(first);
+  }
+
+  void test(std::uint32_t first, std::uint32_t count) {
+    const WaitingTriangles::Found found = waiting_.test(first, count);
+    for (SetBits lane(found.certainly); lane; ++lane) sink_.push(waiting_.contact(first + *lane));
+    for (SetBits lane(found.exactly); lane; ++lane) sink_.push(waiting_.contact(first + *lane));
+    work_.triangle_pairs += count;
+  }
+
+  WaitingTriangles waiting_;
+  Sink& sink_;
   QueryStats& work_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 class IntersectingTriangles : public BoxOverlap {
  public:
   IntersectingTriangles(const Tree& a, const Tree& b, const ContactSink& sink, QueryStats& work)
-      : sink_(sink), triangles_(a, b, sink.contacts(), work) {}
+      : sink_(sink), triangles_(a, b, sink, work) {}
 
   bool is_full() const { return sink_.is_full(); }
   bool is_impatient() const { return sink_.is_impatient(); }
@@ -30,7 +30,7 @@ class IntersectingTriangles : public BoxOverlap {
 
  private:
   const ContactSink& sink_;
-  TrianglePairs triangles_;
+  TrianglePairs<const ContactSink> triangles_;
 };
 
 /// Also stops after a number of units of work.
@@ -164,7 +164,7 @@ class LowestContact {
   }
 
   Stack<Contact>& found_;
-  TrianglePairs triangles_;
+  TrianglePairs<Stack<Contact>> triangles_;
   std::optional<Contact> lowest_;
 };
 

@@ -5,6 +5,9 @@
 ///
 /// Once triangles are known to intersect at time 0, only the `from` poses matter: both motions are
 /// replaced by motions that stand still.
+///
+/// Items are replaced as in query/pair_descent.hpp, which says why there are three such functions.
+/// This one computes the times of each new item.
 
 #include "collide/first_contact.hpp"
 

@@ -19,7 +19,7 @@ class IntersectingWhileMoving : public MovingOverlap {
  public:
   IntersectingWhileMoving(const Tree& a, const Tree& b, const LimitedSink<MovingContact>& sink,
                           const MovingOptions& options, MovingStats& work)
-      : sink_(sink), pairs_(a, b), triangles_(pairs_, sink.contacts(), options, work) {}
+      : sink_(sink), pairs_(a, b), triangles_(pairs_, sink, options, work) {}
 
   bool is_full() const { return sink_.is_full(); }
   bool is_impatient() const { return sink_.is_impatient(); }
@@ -34,7 +34,7 @@ class IntersectingWhileMoving : public MovingOverlap {
  private:
   const LimitedSink<MovingContact>& sink_;
   MovingPairs pairs_;
-  MovingTriangles<MovingPairs> triangles_;
+  MovingTriangles<MovingPairs, const LimitedSink<MovingContact>> triangles_;
 };
 
 }  // namespace

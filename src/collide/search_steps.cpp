@@ -1,6 +1,9 @@
 /// Steps of a collision search. Each step replaces one open item by items for parts of the same
 /// triangles, or tests the triangles of clusters. A region is cut with the boxes of the new items
 /// and prunes them, so regions shrink even where boxes computed on demand do not nest.
+///
+/// Items are replaced as in query/pair_descent.hpp, which says why there are three such functions.
+/// This one computes a region for each new item.
 
 #include "collide/search.hpp"
 
@@ -238,7 +241,7 @@ class Steps {
   SearchState& state_;
   OpenQueue queue_;
   QueryStats work_;
-  TrianglePairs triangles_;
+  TrianglePairs<Stack<Contact>> triangles_;
   std::uint64_t base_;  ///< work without the triangle pairs of this run
   const bool stops_at_first_;
   NewItem new_[kMostNew];

@@ -1,9 +1,7 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "field/field_collide.hpp"
-#include "field/field_distance.hpp"
-#include "field/moving_field.hpp"
+#include "field/field_trees.hpp"
 
 namespace pelt::detail {
 

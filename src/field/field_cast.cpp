@@ -5,15 +5,18 @@
 /// relative errors of 2^-53, and no operation on floats overflows or underflows. Both ends are
 /// moved outwards by 2^-50 of their values. A hit's t is rounded to float, so a block that ends
 /// beyond it by a 2^-23rd may still contain an equally near hit.
+#include <pelt/height_field.hpp>
 
-#include "field/field_cast.hpp"
-
+#include "base/require.hpp"
+#include "field/height_field.hpp"
 #include "geometry/ray_triangle.hpp"
+#include "query/valid_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pelt::detail {
+namespace pelt {
+namespace detail {
 namespace {
 
 /// An interval of t.
@@ -40,6 +43,7 @@ double moved(float t, double sign) {
   return double{t} + sign * (std::abs(double{t}) * 0x1p-23 + 0x1p-149);
 }
 
+/// Finds the first hit of a ray. Precondition: all numbers of the ray except its ends are finite.
 class FieldCast {
  public:
   FieldCast(const HeightField& field, const Ray& ray, Facing facing, QueryStats& work)
@@ -171,9 +175,20 @@ class FieldCast {
 };
 
 }  // namespace
+}  // namespace detail
 
-RayHit cast_at_field(const HeightField& field, const Ray& ray, Facing facing, QueryStats& work) {
-  return FieldCast(field, ray, facing, work).run();
+QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
+                Facing facing) {
+  detail::require(hits.size() == rays.size(), "cast: give one hit for each ray");
+  detail::require(detail::are_valid(rays), "cast: a ray has a NaN or infinite coordinate");
+  QueryStats stats;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    hits[i] = detail::FieldCast(field.detail(), rays[i], facing, stats).run();
+  return stats;
 }
 
-}  // namespace pelt::detail
+QueryStats cast(const HeightField& field, const Ray& ray, RayHit& result, Facing facing) {
+  return cast(field, std::span(&ray, 1), std::span(&result, 1), facing);
+}
+
+}  // namespace pelt

@@ -2,7 +2,7 @@
 /// (pair_search.cpp). The larger of a part and a block is replaced by its slots or by its four
 /// sub-blocks, nearest first.
 
-#include "field/field_distance.hpp"
+#include "field/field_trees.hpp"
 
 #include "distance/pair_search.hpp"
 #include "distance/triangle_gaps.hpp"

@@ -2,17 +2,14 @@
 
 #include "base/require.hpp"
 #include "distance/answers.hpp"
-#include "field/field_cast.hpp"
-#include "field/field_collide.hpp"
-#include "field/field_distance.hpp"
-#include "field/moving_field.hpp"
+#include "distance/pair_search.hpp"
+#include "field/field_trees.hpp"
 #include "motion/moving_tree.hpp"
 #include "pose/pose.hpp"
 #include "query/answers.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
-#include "query/valid_numbers.hpp"
 
 namespace pelt {
 namespace {
@@ -73,20 +70,6 @@ QueryStats distance(Pose& pose, const HeightField& field, Scratch& scratch, Dist
       [&](const detail::SearchLimits& limits, detail::TriangleGap& gap) {
         return detail::closest_field_triangle(posed, field.detail(), scratch.detail(), limits, gap);
       });
-}
-
-QueryStats cast(const HeightField& field, std::span<const Ray> rays, std::span<RayHit> hits,
-                Facing facing) {
-  detail::require(hits.size() == rays.size(), "cast: give one hit for each ray");
-  detail::require(detail::are_valid(rays), "cast: a ray has a NaN or infinite coordinate");
-  QueryStats stats;
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = detail::cast_at_field(field.detail(), rays[i], facing, stats);
-  return stats;
-}
-
-QueryStats cast(const HeightField& field, const Ray& ray, RayHit& result, Facing facing) {
-  return cast(field, std::span(&ray, 1), std::span(&result, 1), facing);
 }
 
 }  // namespace pelt

@@ -31,6 +31,11 @@ struct MovingCluster {
   const Cluster& cluster() const { return moving.tree.clusters[node.first_cluster + slot]; }
 };
 
+/// Precondition: the node is open at both ends.
+inline MovingNode opened_node(const MovingTree& moving, std::uint32_t node) {
+  return {*moving.from.opened[node], *moving.to.opened[node]};
+}
+
 inline namespace PELT_INSTRUCTION_SET {
 
 inline MovingNode open_node(const MovingTree& moving, std::uint32_t node, QueryStats& work) {

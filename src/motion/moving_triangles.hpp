@@ -1,7 +1,7 @@
 #pragma once
 
 /// Decides about waiting pairs of moving triangles, eight at a time. What the certified float test
-/// leaves undecided is decided one by one (geometry/moving_filter.hpp).
+/// leaves undecided is decided one by one (moving_filter.hpp).
 ///
 /// `Pairs` holds the waiting pairs:
 ///   std::uint32_t count() const                    how many, at most eight
@@ -9,22 +9,22 @@
 ///   Contact contact(unsigned lane) const           the caller's numbers of the triangles
 ///   MovingTriangle triangle_a(unsigned lane) const, triangle_b(...)
 ///   void clear()
+///
+/// `Sink` takes the contacts: push(const MovingContact&)
 
 #include <pelt/motion.hpp>
 
 #include "motion/moving_filter.hpp"
 #include "motion/moving_triage.hpp"
-#include "query/stack.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-template <typename Pairs>
+template <typename Pairs, typename Sink>
 class MovingTriangles {
  public:
-  MovingTriangles(Pairs& pairs, Stack<MovingContact>& contacts, const MovingOptions& options,
-                  MovingStats& work)
-      : pairs_(pairs), contacts_(contacts), options_(options), work_(work) {}
+  MovingTriangles(Pairs& pairs, Sink& sink, const MovingOptions& options, MovingStats& work)
+      : pairs_(pairs), sink_(sink), options_(options), work_(work) {}
 
   /// Tests the waiting pairs.
   void flush() {
@@ -48,10 +48,10 @@ class MovingTriangles {
  private:
   void report_at_start(unsigned lane) {
     if (options_.leave_out_start) return;
-    contacts_.push({pairs_.contact(lane), 0, options_.times, {}, {}});
+    sink_.push({pairs_.contact(lane), 0, options_.times, {}, {}});
   }
 
-  void report_untimed(unsigned lane) { contacts_.push({pairs_.contact(lane), 0, false, {}, {}}); }
+  void report_untimed(unsigned lane) { sink_.push({pairs_.contact(lane), 0, false, {}, {}}); }
 
   /// `is_certain`: whether the triangles certainly intersect at some time.
   void decide(unsigned lane, bool is_certain) {
@@ -65,11 +65,11 @@ class MovingTriangles {
     const std::optional<FirstMeeting> first = find_first_meeting(a, b, work_);
     if (!first) return;
     if (first->at_start) return report_at_start(lane);
-    contacts_.push(moving_contact(pairs_.contact(lane), *first));
+    sink_.push(moving_contact(pairs_.contact(lane), *first));
   }
 
   Pairs& pairs_;
-  Stack<MovingContact>& contacts_;
+  Sink& sink_;
   const MovingOptions& options_;
   MovingStats& work_;
 };

@@ -21,6 +21,8 @@ class LimitedSink {
 
   Stack<AnyContact>& contacts() const { return contacts_; }
 
+  void push(const AnyContact& contact) const { contacts_.push(contact); }
+
   bool is_full() const { return contacts_.size() >= max_contacts_; }
 
   /// Whether so few contacts are missing that visiting likely pairs first, and testing candidates

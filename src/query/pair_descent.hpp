@@ -12,6 +12,11 @@
 /// The caller pushes the pairs to start with. A tree against itself has a descent of its own
 /// (self/self_descent.hpp).
 ///
+/// Pairs are replaced in the same way in two searches that can be stopped
+/// (collide/search_steps.cpp, collide/first_contact_steps.cpp). There are three such functions
+/// because the pairs of these searches carry what prunes their parts, a region or times. This one
+/// is the hottest loop of all queries, and carries nothing.
+///
 /// `View` is a PosedTree with `Opened` = OpenedNode and `PosedCluster`, or a step of two poses
 /// (motion/moving_tree.hpp). It has a `tree`, and open_node(view, node, work) opens a node of it.
 ///

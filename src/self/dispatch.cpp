@@ -1,7 +1,6 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "self/self_moving_tree.hpp"
 #include "self/self_tree.hpp"
 
 namespace pelt::detail {

@@ -6,7 +6,6 @@
 #include "base/vec3.hpp"
 #include "motion/moving_filter.hpp"
 #include "self/neighbour_separation.hpp"
-#include "self/shared_corners.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,6 +108,31 @@ bool certainly_apart(const MovingSurfaceTriangle& a, const MovingSurfaceTriangle
     default:
       return false;
   }
+}
+
+namespace {
+
+SurfaceTriangle at_start(const MovingSurfaceTriangle& t) { return {t.corners.from, t.vertices}; }
+SurfaceTriangle at_end(const MovingSurfaceTriangle& t) { return {t.corners.to, t.vertices}; }
+
+}  // namespace
+
+std::optional<MovingContact> decide_neighbours(const MovingSurfaceTriangle& a,
+                                               const MovingSurfaceTriangle& b,
+                                               const Contact& contact, const MovingOptions& options,
+                                               MovingStats& work) {
+  ++work.double_pairs;
+  if (certainly_apart(a, b)) return std::nullopt;
+  if (surface_triangles_intersect(at_start(a), at_start(b))) {
+    if (options.leave_out_start) return std::nullopt;
+    return MovingContact{contact, 0, options.times, {}, {}};
+  }
+  const MovingContact untimed = {contact, 0, false, {}, {}};
+  if (!options.times && surface_triangles_intersect(at_end(a), at_end(b))) return untimed;
+  ++work.exact_pairs;
+  const std::optional<FirstMeeting> first = first_meeting_of_neighbours(a, b);
+  if (!first) return std::nullopt;
+  return options.times ? moving_contact(contact, *first) : untimed;
 }
 
 }  // namespace pelt::detail

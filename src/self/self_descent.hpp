@@ -16,7 +16,6 @@
 
 #include "query/slots.hpp"
 #include "self/pair_masks.hpp"
-#include "self/slot_matrix.hpp"
 
 #include <bit>
 

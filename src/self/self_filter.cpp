@@ -4,7 +4,7 @@
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
 #include "query/scratch.hpp"
-#include "self/cluster_grid_boxes.hpp"
+#include "self/grid_boxes.hpp"
 
 #include <utility>
 
@@ -95,36 +95,31 @@ std::uint64_t& counter_of(LeftOut& left_out, LeftOutBy by) {
   return left_out.groups;
 }
 
-void exchange_sides(Contact& contact) { std::swap(contact.triangle_a, contact.triangle_b); }
-
-void exchange_sides(MovingContact& contact) {
-  exchange_sides(contact.contact);
-  std::swap(contact.a, contact.b);
+/// Returns false, and counts the pair, if the filter leaves it out.
+bool keeps_pair(const SelfFilter& filter, const Contact& pair, Stack<std::uint32_t>& ring,
+                LeftOut& left_out) {
+  const LeftOutBy by = filter.filters.left_out_by(filter.tree(), filter.fans, pair, ring);
+  if (by != LeftOutBy::none) ++counter_of(left_out, by);
+  return by == LeftOutBy::none;
 }
 
 }  // namespace
 
-template <typename AnyContact>
-void leave_out(const SelfFilter& filter, std::size_t first, Stack<AnyContact>& contacts,
-               Stack<std::uint32_t>& ring, LeftOut& left_out) {
-  std::size_t kept = first;
-  for (std::size_t i = first; i < contacts.size(); ++i) {
-    AnyContact contact = contacts.begin()[i];
-    if (pair_of(contact).triangle_b < pair_of(contact).triangle_a) exchange_sides(contact);
-    const LeftOutBy by =
-        filter.filters.left_out_by(filter.tree(), filter.fans, pair_of(contact), ring);
-    if (by == LeftOutBy::none)
-      contacts.begin()[kept++] = contact;
-    else
-      ++counter_of(left_out, by);
-  }
-  contacts.shrink(kept);
+bool keeps(const SelfFilter& filter, Contact& contact, Stack<std::uint32_t>& ring,
+           LeftOut& left_out) {
+  if (contact.triangle_b < contact.triangle_a) std::swap(contact.triangle_a, contact.triangle_b);
+  return keeps_pair(filter, contact, ring, left_out);
 }
 
-template void leave_out(const SelfFilter&, std::size_t, Stack<Contact>&, Stack<std::uint32_t>&,
-                        LeftOut&);
-template void leave_out(const SelfFilter&, std::size_t, Stack<MovingContact>&,
-                        Stack<std::uint32_t>&, LeftOut&);
+bool keeps(const SelfFilter& filter, MovingContact& contact, Stack<std::uint32_t>& ring,
+           LeftOut& left_out) {
+  auto& [a, b] = contact.contact;
+  if (b < a) {
+    std::swap(a, b);
+    std::swap(contact.a, contact.b);
+  }
+  return keeps_pair(filter, contact.contact, ring, left_out);
+}
 
 }  // namespace detail
 
@@ -167,13 +162,13 @@ std::size_t SelfFilter::memory_bytes() const {
 }
 
 LeftOut leave_out(const SelfFilter& filter, Scratch& scratch, std::vector<Contact>& contacts) {
-  detail::Scratch& memory = scratch.detail();
-  memory.found.clear();
-  memory.ring.clear();
-  for (const Contact& contact : contacts) memory.found.push(contact);
+  detail::Stack<std::uint32_t>& ring = scratch.detail().ring;
+  ring.clear();
   LeftOut left_out;
-  detail::leave_out(filter.detail(), 0, memory.found, memory.ring, left_out);
-  contacts.assign(memory.found.begin(), memory.found.end());
+  std::size_t kept = 0;
+  for (Contact contact : contacts)
+    if (keeps(filter.detail(), contact, ring, left_out)) contacts[kept++] = contact;
+  contacts.resize(kept);
   return left_out;
 }
 

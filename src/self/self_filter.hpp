@@ -4,6 +4,7 @@
 #include <pelt/self_filter.hpp>
 
 #include "model/model.hpp"
+#include "query/contact_sink.hpp"
 #include "self/fans.hpp"
 #include "self/pair_filters.hpp"
 #include "self/pair_masks.hpp"
@@ -23,15 +24,39 @@ struct SelfFilter {
   PairFilters filters;
 };
 
-inline Contact& pair_of(Contact& contact) { return contact; }
-inline Contact& pair_of(MovingContact& contact) { return contact.contact; }
+/// Orders the triangles of a contact. Returns false, and counts the contact, if the filter leaves
+/// it out. `ring` is working memory: empty, or from the last call for this filter.
+bool keeps(const SelfFilter& filter, Contact& contact, Stack<std::uint32_t>& ring,
+           LeftOut& left_out);
+bool keeps(const SelfFilter& filter, MovingContact& contact, Stack<std::uint32_t>& ring,
+           LeftOut& left_out);
 
-/// Removes from the contacts those from number `first` on that the filter leaves out, and counts
-/// them. Orders the triangles of each contact. `ring` is working memory: empty, or from the last
-/// call for this filter.
-/// `AnyContact`: Contact or MovingContact.
+inline namespace PELT_INSTRUCTION_SET {
+
+/// Collects the contacts of a character with itself, up to a limit, without those that the filter
+/// leaves out. `AnyContact`: Contact or MovingContact.
 template <typename AnyContact>
-void leave_out(const SelfFilter& filter, std::size_t first, Stack<AnyContact>& contacts,
-               Stack<std::uint32_t>& ring, LeftOut& left_out);
+class FilteredSink : public LimitedSink<AnyContact> {
+ public:
+  FilteredSink(const SelfFilter& filter, Stack<AnyContact>& contacts, Stack<std::uint32_t>& ring,
+               std::uint32_t max_contacts, LeftOut& left_out)
+      : LimitedSink<AnyContact>(contacts, max_contacts),
+        filter_(filter),
+        ring_(ring),
+        left_out_(left_out) {
+    ring.clear();
+  }
+
+  void push(AnyContact contact) {
+    if (keeps(filter_, contact, ring_, left_out_)) LimitedSink<AnyContact>::push(contact);
+  }
+
+ private:
+  const SelfFilter& filter_;
+  Stack<std::uint32_t>& ring_;
+  LeftOut& left_out_;
+};
+
+}  // namespace PELT_INSTRUCTION_SET
 
 }  // namespace pelt::detail

@@ -6,7 +6,7 @@
 /// that underflow. The relative errors of lengths and sums are covered by factors 1 + 2^-20. |v| is
 /// at most 1.7321 M.
 
-#include "self/slack.hpp"
+#include "self/self_track.hpp"
 
 #include "geometry/points8.hpp"
 #include "pose/open_node.hpp"

@@ -2,7 +2,7 @@
 #include "separation_lanes.hpp"
 
 #include "geometry/lane_pairs.hpp"
-#include "self/triangle_separation.hpp"
+#include "self/neighbour_gaps.hpp"
 
 namespace pelt::test {
 namespace PELT_INSTRUCTION_SET {

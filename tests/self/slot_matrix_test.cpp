@@ -1,4 +1,4 @@
-#include "self/slot_matrix.hpp"
+#include "self/pair_masks.hpp"
 
 #include "support/random.hpp"
 

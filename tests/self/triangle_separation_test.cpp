@@ -1,5 +1,5 @@
 /// Lower bounds of distances against the distance in rational numbers.
-#include "self/triangle_separation.hpp"
+#include "self/neighbour_gaps.hpp"
 
 #include "geometry/exact_distance.hpp"
 #include "geometry/triangle_cases.hpp"
