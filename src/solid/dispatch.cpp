@@ -1,9 +1,8 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "solid/moving_descent.hpp"
 #include "solid/region_descent.hpp"
-#include "solid/solid_search.hpp"
+#include "solid/solid_distance.hpp"
 
 namespace pelt::detail {
 

@@ -21,7 +21,7 @@
 
 #include "base/assert.hpp"
 #include "exact/exact_number.hpp"
-#include "solid/faces_triangle.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <array>
 #include <cstddef>

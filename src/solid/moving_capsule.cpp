@@ -31,9 +31,9 @@
 #include "exact/scaled_float.hpp"
 #include "geometry/triangle_distance.hpp"
 #include "solid/capsule_by_signs.hpp"
-#include "solid/capsule_triangle.hpp"
 #include "solid/moving_numbers.hpp"
 #include "solid/moving_region.hpp"
+#include "solid/region_triangle.hpp"
 
 namespace pelt::detail {
 namespace {

@@ -2,8 +2,11 @@
 
 /// When a moving triangle first touches a region that stands still.
 
+#include <pelt/motion.hpp>
+
 #include "motion/moving_filter.hpp"
-#include "solid/faces_triangle.hpp"
+#include "solid/prepared_region.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <optional>
 #include <span>
@@ -42,5 +45,16 @@ bool find_certain_first_touch(const MovingTriangle& triangle, std::span<const Fa
                               std::optional<FirstTouch>& touch);
 bool find_certain_first_touch(const MovingTriangle& triangle, const Capsule& capsule,
                               std::optional<FirstTouch>& touch);
+
+// Decides about moving triangles and a region one by one, and counts the triangles of each stage.
+// Out of line so that these tests are compiled once.
+
+/// Returns when the triangle first touches the region, if ever. Without `options.times`, a touch at
+/// any time may be returned, with time 0. With `options.leave_out_start`, returns nothing if the
+/// triangle touches the region at time 0.
+std::optional<FirstTouch> decide_touch(const FacesRegion& region, const MovingTriangle& triangle,
+                                       const MovingOptions& options, MovingStats& work);
+std::optional<FirstTouch> decide_touch(const CapsuleRegion& region, const MovingTriangle& triangle,
+                                       const MovingOptions& options, MovingStats& work);
 
 }  // namespace pelt::detail

@@ -6,7 +6,7 @@
 #include <pelt/solid.hpp>
 
 #include "geometry/triangle_pair.hpp"
-#include "solid/faces_triangle.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-#include "solid/capsule_triangle.hpp"
+#include "solid/region_triangle.hpp"
 
 #include "exact/predicates.hpp"
 #include "geometry/rational_distance.hpp"

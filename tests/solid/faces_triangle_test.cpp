@@ -1,4 +1,4 @@
-#include "solid/faces_triangle.hpp"
+#include "solid/region_triangle.hpp"
 
 #include "geometry/rational_distance.hpp"
 #include "support/random.hpp"

@@ -3,7 +3,7 @@
 #include "solid/moving_region.hpp"
 
 #include "moving_region_oracle.hpp"
-#include "solid/capsule_triangle.hpp"
+#include "solid/region_triangle.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>

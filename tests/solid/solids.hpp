@@ -3,7 +3,7 @@
 /// Solids of all kinds, and brute force over triangles.
 
 #include "solid/region_oracle.hpp"
-#include "solid/solid_points.hpp"
+#include "solid/solid_distance.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <pelt/solid.hpp>

@@ -1,14 +1,46 @@
-/// A triangle touches a capsule if it intersects the capsule's segment or is within the radius of
-/// the segment (capsule_by_signs.hpp). The triangle is inside if its vertices are inside, because a
-/// capsule is convex.
-
-#include "solid/capsule_triangle.hpp"
+#include "solid/region_triangle.hpp"
 
 #include "solid/capsule_by_signs.hpp"
+#include "solid/faces_by_signs.hpp"
 
 namespace pelt::detail {
 namespace {
 
+class StillFaces {
+ public:
+  StillFaces(const TriangleCorners& triangle, std::span<const Face> faces)
+      : triangle_(triangle), faces_(faces) {}
+
+  template <typename Number>
+  Number side(std::size_t face, std::size_t corner) const {
+    const Face& f = faces_[face];
+    return dot(Vector<Number>(f.normal),
+               Vector<Number>(triangle_[corner]) - Vector<Number>(f.origin)) -
+           Number(static_cast<double>(f.offset));
+  }
+
+  template <typename Polynomial>
+  int sign(const Polynomial& polynomial) const {
+    return exact_sign(polynomial);
+  }
+
+ private:
+  const TriangleCorners& triangle_;
+  std::span<const Face> faces_;
+};
+
+}  // namespace
+
+TrianglePlace place_triangle(const TriangleCorners& triangle, std::span<const Face> faces) {
+  const StillFaces source(triangle, faces);
+  return FacesBySigns(source).place(faces.size());
+}
+
+namespace {
+
+/// A triangle touches a capsule if it intersects the capsule's segment or is within the radius of
+/// the segment (capsule_by_signs.hpp). The triangle is inside if its vertices are inside, because a
+/// capsule is convex.
 class StillCapsule {
  public:
   StillCapsule(const TriangleCorners& t, const Capsule& capsule)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Exact test of a triangle against a convex polyhedron, given by its faces.
+/// Exact tests of a triangle against a convex polyhedron, given by its faces, and a capsule.
 
 #include <pelt/math.hpp>
 
@@ -22,5 +22,9 @@ enum class TrianglePlace { apart, touching, inside };
 /// means touching but not inside. Precondition: all numbers are finite, and there are at most
 /// kMaxFaces faces.
 TrianglePlace place_triangle(const TriangleCorners& triangle, std::span<const Face> faces);
+
+/// Returns exactly where a closed triangle lies with respect to a capsule. A sphere is a capsule
+/// with equal ends. Precondition: all numbers are finite, and the radius is not negative.
+TrianglePlace place_triangle(const TriangleCorners& triangle, const Capsule& capsule);
 
 }  // namespace pelt::detail

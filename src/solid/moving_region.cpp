@@ -1,6 +1,6 @@
-#include "solid/decide_touch.hpp"
+#include "solid/moving_region.hpp"
 
-#include "solid/capsule_triangle.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <span>
 
