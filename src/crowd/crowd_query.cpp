@@ -3,14 +3,16 @@
 #include "base/bytes_held.hpp"
 #include "base/require.hpp"
 #include "collide/collide_trees.hpp"
+#include "motion/moving_tree.hpp"
 #include "query/sort_contacts.hpp"
 #include "self/self_filter.hpp"
-#include "self/self_moving_tree.hpp"
 #include "self/self_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace pelt::detail {
@@ -53,16 +55,79 @@ void even_out(Arena& arena, std::size_t used) {
   if (arena.room() < used + used / 16) arena.reserve(used + used / 4);
 }
 
+/// The largest capacity of each stack of several scratches.
+class StackCapacities {
+ public:
+  void add(const Scratch& scratch) {
+    std::size_t i = 0;
+    Scratch::each(scratch, [&](const auto& stack) {
+      most_[i] = std::max(most_[i], stack.capacity());
+      ++i;
+    });
+  }
+
+  void reserve(Scratch& scratch) const {
+    std::size_t i = 0;
+    Scratch::each(scratch, [&](auto& stack) { stack.reserve(most_[i++]); });
+  }
+
+ private:
+  std::array<std::size_t, Scratch::kStackCount> most_ = {};
+};
+
+/// Asks for contacts in the poses.
+struct AskStill {
+  static constexpr bool kInStep = false;
+  static constexpr auto kFound = &Scratch::found, kSorting = &Scratch::sorting;
+  static constexpr auto kKept = &TouchingPair::contacts;
+
+  std::uint32_t max_contacts;
+
+  static PosedTree view(CrowdInstances& instances, std::uint32_t number, Arena& arena) {
+    return instances[number].posed_tree(arena);
+  }
+
+  QueryStats collide(const PosedTree& a, const PosedTree& b, Scratch& scratch) const {
+    return collide_trees(a, b, scratch, max_contacts);
+  }
+
+  SelfStats collide_self(const PosedTree& posed, const SelfFilter& filter, Scratch& scratch) const {
+    return self_collide_tree(posed, filter, nullptr, scratch, max_contacts);
+  }
+};
+
+/// Asks for contacts at any time of the step.
+struct AskMoving {
+  static constexpr bool kInStep = true;
+  static constexpr auto kFound = &Scratch::moving, kSorting = &Scratch::sorting_moving;
+  static constexpr auto kKept = &TouchingPair::moving;
+
+  const MovingOptions& options;
+
+  static Step view(CrowdInstances& instances, std::uint32_t number, Arena& arena) {
+    return {instances[number].start_tree(instances.moves(number), arena),
+            instances[number].posed_tree(arena)};
+  }
+
+  MovingStats collide(const Step& a, const Step& b, Scratch& scratch) const {
+    return collide_moving_trees(a.tree(), b.tree(), scratch, options);
+  }
+
+  SelfMovingStats collide_self(const Step& step, const SelfFilter& filter, Scratch& scratch) const {
+    return self_collide_moving_tree(step.tree(), filter, scratch, options);
+  }
+};
+
 }  // namespace
 
 CrowdStats CrowdQuery::run(CrowdInstances& instances, const CrowdOptions& options,
                            std::uint32_t max_contacts) {
-  return answer(instances, options, max_contacts, nullptr);
+  return answer(instances, options, AskStill{max_contacts});
 }
 
 CrowdStats CrowdQuery::run_moving(CrowdInstances& instances, const CrowdOptions& options,
                                   const MovingOptions& moving) {
-  return answer(instances, options, moving.max_contacts, &moving);
+  return answer(instances, options, AskMoving{moving});
 }
 
 std::span<const CrowdPair> CrowdQuery::find_pairs(CrowdInstances& instances,
@@ -74,16 +139,17 @@ std::span<const CrowdPair> CrowdQuery::find_pairs(CrowdInstances& instances,
   return pairs_;
 }
 
+template <typename Ask>
 CrowdStats CrowdQuery::answer(CrowdInstances& instances, const CrowdOptions& options,
-                              std::uint32_t max_contacts, const MovingOptions* moving) {
-  box_instances(instances, moving != nullptr);
+                              const Ask& ask) {
+  box_instances(instances, Ask::kInStep);
   sweep_.find_pairs(pairs_);
   filter_pairs(instances, options);
   add_self_tests(instances, options);
   islands_.form(pairs_, instances.end());
   start_workers(options.threads);
   share_out();
-  const Question question = {instances, self_filters_, max_contacts, moving};
+  const Question<Ask> question = {instances, self_filters_, ask};
   collide_shared_selves(question);
   collide(question);
   CrowdStats stats = gather();
@@ -172,7 +238,8 @@ void CrowdQuery::share_out() {
 }
 
 /// Returns when all of these tests are done, before other tests use the nodes.
-void CrowdQuery::collide_shared_selves(const Question& question) {
+template <typename Ask>
+void CrowdQuery::collide_shared_selves(const Question<Ask>& question) {
   if (shared_selves_.empty()) return;
   const auto job = [&](std::uint32_t number) {
     Worker& worker = workers_[number];
@@ -182,7 +249,8 @@ void CrowdQuery::collide_shared_selves(const Question& question) {
   threads_.run(worker_count_, std::ref(job));
 }
 
-void CrowdQuery::collide(const Question& question) {
+template <typename Ask>
+void CrowdQuery::collide(const Question<Ask>& question) {
   CrowdInstances& instances = question.instances;
   for_both(instances, shared_pairs_, [this](CrowdInstance& instance) {
     make_table(instance.posed_tree(workers_[0].shared_nodes));
@@ -208,7 +276,8 @@ void CrowdQuery::collide(const Question& question) {
   for_both(instances, shared_pairs_, close);
 }
 
-void CrowdQuery::Worker::collide_island(const Question& question,
+template <typename Ask>
+void CrowdQuery::Worker::collide_island(const Question<Ask>& question,
                                         std::span<const CrowdPair> island) {
   for (const CrowdPair& pair : island)
     is_self(pair) ? collide_self(question, pair.instance_a, nodes)
@@ -218,69 +287,37 @@ void CrowdQuery::Worker::collide_island(const Question& question,
   nodes.clear();
 }
 
-void CrowdQuery::Worker::collide_pair(const Question& question, const CrowdPair& pair,
+template <typename Ask>
+void CrowdQuery::Worker::collide_pair(const Question<Ask>& question, const CrowdPair& pair,
                                       Arena& arena) {
-  if (question.moving) return collide_moving_pair(question, pair, arena);
-  const PosedTree a = question.instances[pair.instance_a].posed_tree(arena);
-  const PosedTree b = question.instances[pair.instance_b].posed_tree(arena);
-  work += collide_trees(a, b, scratch, question.max_contacts);
-  keep_found(pair);
+  const auto a = Ask::view(question.instances, pair.instance_a, arena);
+  const auto b = Ask::view(question.instances, pair.instance_b, arena);
+  work += question.ask.collide(a, b, scratch);
+  keep_found<Ask>(pair);
 }
 
-void CrowdQuery::Worker::collide_moving_pair(const Question& question, const CrowdPair& pair,
-                                             Arena& arena) {
-  CrowdInstances& instances = question.instances;
-  const auto start = [&](std::uint32_t number) {
-    return instances[number].start_tree(instances.moves(number), arena);
-  };
-  const PosedTree a_from = start(pair.instance_a), b_from = start(pair.instance_b);
-  const PosedTree a_to = instances[pair.instance_a].posed_tree(arena);
-  const PosedTree b_to = instances[pair.instance_b].posed_tree(arena);
-  work += collide_moving_trees({a_from, a_to}, {b_from, b_to}, scratch, *question.moving);
-  keep_moving(pair);
-}
-
-void CrowdQuery::Worker::collide_self(const Question& question, std::uint32_t instance,
+template <typename Ask>
+void CrowdQuery::Worker::collide_self(const Question<Ask>& question, std::uint32_t instance,
                                       Arena& arena) {
-  const PosedTree posed = question.instances[instance].posed_tree(arena);
-  if (question.moving) return collide_moving_self(question, instance, posed, arena);
-  const SelfStats stats = self_collide_tree(posed, *question.self_filters[instance], nullptr,
-                                            scratch, question.max_contacts);
+  const auto stats = question.ask.collide_self(Ask::view(question.instances, instance, arena),
+                                               *question.self_filters[instance], scratch);
   work += stats;
   left_out += stats.left_out;
-  keep_found({instance, instance});
+  keep_found<Ask>({instance, instance});
 }
 
-void CrowdQuery::Worker::collide_moving_self(const Question& question, std::uint32_t instance,
-                                             const PosedTree& to, Arena& arena) {
-  CrowdInstances& instances = question.instances;
-  const PosedTree from = instances[instance].start_tree(instances.moves(instance), arena);
-  const SelfMovingStats stats = self_collide_moving_tree(
-      {from, to}, *question.self_filters[instance], scratch, *question.moving);
-  work += stats;
-  left_out += stats.left_out;
-  keep_moving({instance, instance});
-}
-
+/// Copies the contacts of a pair, if it has any, ascending.
+template <typename Ask>
 void CrowdQuery::Worker::keep_found(const CrowdPair& pair) {
-  Stack<Contact>& found = scratch.found;
+  auto& found = scratch.*Ask::kFound;
   if (found.empty()) return;
-  sort_contacts(found, scratch.sorting);
-  touching.push_back({pair, keep(found), {}});
-}
-
-void CrowdQuery::Worker::keep_moving(const CrowdPair& pair) {
-  Stack<MovingContact>& found = scratch.moving;
-  if (found.empty()) return;
-  sort_contacts(found, scratch.sorting_moving);
-  touching.push_back({pair, {}, keep(found)});
-}
-
-template <typename AnyContact>
-std::span<const AnyContact> CrowdQuery::Worker::keep(Stack<AnyContact>& found) {
+  sort_contacts(found, scratch.*Ask::kSorting);
+  using AnyContact = std::remove_reference_t<decltype(*found.begin())>;
   auto* kept = reinterpret_cast<AnyContact*>(contacts.allocate(found.size() * sizeof(AnyContact)));
   std::uninitialized_copy(found.begin(), found.end(), kept);
-  return {kept, found.size()};
+  TouchingPair& added = touching.emplace_back();
+  added.instances = pair;
+  added.*Ask::kKept = {kept, found.size()};
 }
 
 CrowdStats CrowdQuery::gather() {
@@ -305,35 +342,22 @@ CrowdStats CrowdQuery::gather() {
 /// Distributes memory evenly, because it is random which worker processes which pairs.
 void CrowdQuery::even_out() {
   if (worker_count_ == 1) return;
-  std::size_t shared_nodes = 0, nodes = 0, contacts = 0;
-  std::size_t slot_pairs = 0, found = 0, moving = 0, sorting = 0, sorting_moving = 0;
-  std::size_t positions = 0, ring = 0, boxes = 0;
-  for (Worker& worker : workers_) {
+  std::size_t shared_nodes = 0, nodes = 0, contacts = 0, boxes = 0;
+  StackCapacities stacks;
+  for (const Worker& worker : workers_) {
     shared_nodes += worker.shared_nodes.used();
     nodes = std::max(nodes, worker.most_nodes);
     contacts += worker.contacts.used();
-    slot_pairs = std::max(slot_pairs, worker.scratch.slot_pairs.capacity());
-    found = std::max(found, worker.scratch.found.capacity());
-    moving = std::max(moving, worker.scratch.moving.capacity());
-    sorting_moving = std::max(sorting_moving, worker.scratch.sorting_moving.capacity());
-    sorting = std::max(sorting, worker.scratch.sorting.capacity());
-    positions = std::max(positions, worker.scratch.positions.capacity());
-    ring = std::max(ring, worker.scratch.ring.capacity());
     boxes = std::max(boxes, worker.scratch.boxes.room());
+    stacks.add(worker.scratch);
   }
   for (std::uint32_t w = 0; w < worker_count_; ++w) {
     Worker& worker = workers_[w];
     detail::even_out(worker.shared_nodes, shared_nodes);
     detail::even_out(worker.nodes, nodes);
     detail::even_out(worker.contacts, contacts);
-    worker.scratch.slot_pairs.reserve(slot_pairs);
-    worker.scratch.found.reserve(found);
-    worker.scratch.moving.reserve(moving);
-    worker.scratch.sorting_moving.reserve(sorting_moving);
-    worker.scratch.sorting.reserve(sorting);
-    worker.scratch.positions.reserve(positions);
-    worker.scratch.ring.reserve(ring);
     worker.scratch.boxes.reserve(boxes);
+    stacks.reserve(worker.scratch);
     worker.touching.reserve(touching_.size());
   }
 }
@@ -347,10 +371,10 @@ std::size_t CrowdQuery::memory_bytes() const {
 }
 
 std::size_t CrowdQuery::Worker::memory_bytes() const {
-  return nodes.capacity() + shared_nodes.capacity() + contacts.capacity() +
-         scratch.boxes.capacity() +
-         bytes_held(touching, scratch.slot_pairs, scratch.found, scratch.moving,
-                    scratch.sorting_moving, scratch.sorting, scratch.positions, scratch.ring);
+  std::size_t bytes = nodes.capacity() + shared_nodes.capacity() + contacts.capacity() +
+                      scratch.boxes.capacity() + bytes_held(touching);
+  Scratch::each(scratch, [&](const auto& stack) { bytes += bytes_held(stack); });
+  return bytes;
 }
 
 }  // namespace pelt::detail

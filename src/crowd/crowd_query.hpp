@@ -1,8 +1,9 @@
 #pragma once
 
-/// Queries of a crowd. A query runs in passes over all instances or pairs: overlapping boxes
-/// (sweep.hpp), filters, islands (islands.hpp), and finally the descents. A worker processes a
-/// whole island alone, unless others would wait for it: they then share the pairs of the island.
+/// Queries of a crowd. A query runs in passes over all instances or pairs: overlapping boxes,
+/// filters, islands (broad_phase.hpp for both), and finally the descents. A worker processes a
+/// whole island alone. If an island is so large that others would wait for it, the workers share
+/// its pairs.
 ///
 /// Answers and stats do not depend on the number of threads. A descent depends only on the two
 /// palettes: every thread opens a node to the same bits, and the thread that publishes the node
@@ -17,9 +18,8 @@
 
 #include "base/arena.hpp"
 #include "base/workers.hpp"
+#include "crowd/broad_phase.hpp"
 #include "crowd/instances.hpp"
-#include "crowd/islands.hpp"
-#include "crowd/sweep.hpp"
 #include "query/scratch.hpp"
 
 #include <span>
@@ -55,12 +55,12 @@ class CrowdQuery {
   std::size_t memory_bytes() const;
 
  private:
-  /// The input of a run, which all workers read.
+  /// The input of a run, which all workers read. `Ask`: AskStill or AskMoving.
+  template <typename Ask>
   struct Question {
     CrowdInstances& instances;
     std::span<const SelfFilter* const> self_filters;  // see self_filters_
-    std::uint32_t max_contacts;
-    const MovingOptions* moving;  // null: no step
+    Ask ask;
   };
 
   /// Memory and results of one thread.
@@ -75,28 +75,28 @@ class CrowdQuery {
     LeftOut left_out;
 
     void clear();
-    void collide_island(const Question& question, std::span<const CrowdPair> island);
-    void collide_pair(const Question& question, const CrowdPair& pair, Arena& arena);
-    void collide_moving_pair(const Question& question, const CrowdPair& pair, Arena& arena);
-    void collide_self(const Question& question, std::uint32_t instance, Arena& arena);
-    void collide_moving_self(const Question& question, std::uint32_t instance, const PosedTree& to,
-                             Arena& arena);
+    template <typename Ask>
+    void collide_island(const Question<Ask>& question, std::span<const CrowdPair> island);
+    template <typename Ask>
+    void collide_pair(const Question<Ask>& question, const CrowdPair& pair, Arena& arena);
+    template <typename Ask>
+    void collide_self(const Question<Ask>& question, std::uint32_t instance, Arena& arena);
+    template <typename Ask>
     void keep_found(const CrowdPair& pair);
-    void keep_moving(const CrowdPair& pair);
-    template <typename AnyContact>
-    std::span<const AnyContact> keep(Stack<AnyContact>& found);
     std::size_t memory_bytes() const;
   };
 
-  CrowdStats answer(CrowdInstances& instances, const CrowdOptions& options,
-                    std::uint32_t max_contacts, const MovingOptions* moving);
+  template <typename Ask>
+  CrowdStats answer(CrowdInstances& instances, const CrowdOptions& options, const Ask& ask);
   void box_instances(CrowdInstances& instances, bool in_step);
   void filter_pairs(CrowdInstances& instances, const CrowdOptions& options);
   void add_self_tests(CrowdInstances& instances, const CrowdOptions& options);
   void start_workers(std::uint32_t threads);
   void share_out();
-  void collide_shared_selves(const Question& question);
-  void collide(const Question& question);
+  template <typename Ask>
+  void collide_shared_selves(const Question<Ask>& question);
+  template <typename Ask>
+  void collide(const Question<Ask>& question);
   CrowdStats gather();
   void even_out();
 

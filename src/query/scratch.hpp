@@ -78,6 +78,20 @@ struct Scratch {
   Stack<OutlineTurns> outline_turns;     // of triangles that cross their own body
   Stack<std::uint32_t> turns_of;         // [T] one plus the index into outline_turns, or 0
   Stack<std::int32_t> fronts;            // [T] winding numbers in front of triangles
+
+  static constexpr std::size_t kStackCount = 19;
+
+  /// Calls `visit(stack)` with each stack. `AnyScratch`: const or not.
+  template <typename AnyScratch, typename Visit>
+  static void each(AnyScratch& s, const Visit& visit) {
+    const auto visit_all = [&](auto&... stacks) {
+      static_assert(sizeof...(stacks) == kStackCount);
+      (visit(stacks), ...);
+    };
+    visit_all(s.slot_pairs, s.near_part, s.near_parts, s.found, s.sorting, s.moving,
+              s.sorting_moving, s.ray_hits, s.nodes, s.touching, s.inside, s.sorting_numbers,
+              s.positions, s.ring, s.turns_a, s.turns_b, s.outline_turns, s.turns_of, s.fronts);
+  }
 };
 
 }  // namespace pelt::detail

@@ -1,4 +1,4 @@
-#include "crowd/islands.hpp"
+#include "crowd/broad_phase.hpp"
 
 #include "support/random.hpp"
 

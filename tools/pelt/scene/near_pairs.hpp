@@ -3,7 +3,7 @@
 #include <pelt/crowd.hpp>
 #include <pelt/pose.hpp>
 
-#include "crowd/sweep.hpp"
+#include "crowd/broad_phase.hpp"
 
 #include <span>
 #include <vector>

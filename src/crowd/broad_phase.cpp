@@ -1,16 +1,20 @@
-#include "crowd/sweep.hpp"
+#include "crowd/broad_phase.hpp"
 
 #include "base/bytes_held.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/float8.hpp"
 #include "query/slots.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pelt::detail {
 namespace {
 
 constexpr std::size_t kLanes = 8;
+
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 /// Returns the axis with the largest variance of the boxes' low ends.
 template <typename Boxes>
@@ -80,6 +84,34 @@ void Sweep::find_partners(std::size_t index, int axis, std::vector<CrowdPair>& p
 
 std::size_t Sweep::memory_bytes() const {
   return bytes_held(boxes_, low_[0], low_[1], low_[2], high_[0], high_[1], high_[2]);
+}
+
+/// Forms the islands in the order of their first pairs, by counting sort.
+void Islands::form(std::span<const CrowdPair> pairs, std::uint32_t instance_end) {
+  DisjointSets sets(instance_end, leaders_);
+  for (const CrowdPair& pair : pairs) sets.join(pair.instance_a, pair.instance_b);
+
+  island_of_.assign(instance_end, kNone);
+  begins_.assign(1, 0);
+  for (const CrowdPair& pair : pairs) {
+    std::uint32_t& island = island_of_[sets.find(pair.instance_a)];
+    if (island == kNone) {
+      island = count();
+      begins_.push_back(0);
+    }
+    ++begins_[island + 1];
+  }
+  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+
+  pairs_.resize(pairs.size());
+  for (const CrowdPair& pair : pairs)
+    pairs_[begins_[island_of_[sets.find(pair.instance_a)]]++] = pair;
+  std::copy_backward(begins_.begin(), begins_.end() - 1, begins_.end());
+  begins_[0] = 0;
+}
+
+std::size_t Islands::memory_bytes() const {
+  return bytes_held(leaders_, island_of_, begins_, pairs_);
 }
 
 }  // namespace pelt::detail
