@@ -9,6 +9,8 @@ public headers include only public headers; the library includes only the standa
 reader includes only public headers of the core; examples include only what users can include. The
 product includes nothing of evaluation/. Of the command, only its methods include the paper's system. Each
 folder of evaluation/ may include the library and the folders listed for it below. Tests may include anything.
+
+A folder of the library with queries is a room. Other folders include only its doors.
 """
 
 import pathlib
@@ -23,6 +25,31 @@ FLOORS = [*LIBRARY, "text", "asset", "scenes", "bindings/python", "bindings", "p
                                         "picture", "prepared", "page", "check", "list", "shard",
                                         "verbs")),
           "tools/pelt"]
+
+# The headers of a room that other folders may include. The folders of the library that are not listed
+# are kits, whose headers anyone may include.
+DOORS = {
+    # A kit, too: its other headers are the mathematics behind these.
+    "src/motion": ["instants.hpp", "meeting_order.hpp", "moving_boxes.hpp", "moving_determinants.hpp",
+                   "moving_filter.hpp", "moving_pair.hpp", "moving_pairs.hpp", "moving_tree.hpp",
+                   "moving_triage.hpp", "moving_triangles.hpp"],
+    "src/collide": ["collide_trees.hpp", "cluster_pair.hpp", "eager.hpp", "search.hpp"],
+    "src/self": ["self_tree.hpp", "self_filter.hpp", "fans.hpp", "near_joints.hpp",
+                 "neighbour_pair.hpp"],
+    "src/bounds": ["level_boxes.hpp"],
+    "src/ray": ["ray_descent.hpp"],
+    "src/distance": ["answers.hpp", "pair_search.hpp", "triangle_gaps.hpp", "triangle_search.hpp"],
+    "src/field": [],
+    "src/solid": [],
+    "src/contact": [],
+    "src/inside": [],
+    "src/volume": [],
+    "src/crowd": ["broad_phase.hpp"],
+}
+# Headers that evaluation/ may also include, because it measures the stages of a query.
+STAGES = {
+    "src/self": ["grid_boxes.hpp", "pair_masks.hpp", "self_descent.hpp"],
+}
 
 COMMAND = ["text", "asset", "scenes", *(f for f in FLOORS if f.startswith("tools/pelt"))]
 EVALUATION = {
@@ -83,6 +110,14 @@ def may_include(folder, theirs):
     return theirs in FLOORS and FLOORS.index(theirs) < FLOORS.index(folder)
 
 
+def is_open(folder, theirs, target):
+    """Returns whether a file of the product or of evaluation may include a header of a room."""
+    if theirs not in DOORS or folder in (theirs, "tests"):
+        return True
+    name = target[len(theirs) + 1:]
+    return name in DOORS[theirs] or (folder in EVALUATION and name in STAGES.get(theirs, ()))
+
+
 def violation(folder, bracket, name, target):
     """Returns the error of an include, or None."""
     if target is None:
@@ -96,6 +131,8 @@ def violation(folder, bracket, name, target):
         return f"{target} is in none of the folders that the rules name"
     if not may_include(folder, theirs):
         return f"{folder} must not include {target}"
+    if not is_open(folder, theirs, target):
+        return f"{target} is no door of {theirs} (DOORS)"
     return None
 
 

@@ -67,6 +67,19 @@ class CheckFloors(unittest.TestCase):
     def test_tests_include_anything(self):
         self.assert_accepted("tests/a.cpp", '#include "evaluation/rivals/b.hpp"',
                              ["evaluation/rivals/b.hpp"])
+        self.assert_accepted("tests/a.cpp", '#include "self/b.hpp"', ["src/self/b.hpp"])
+
+    def test_rooms_are_entered_through_their_doors(self):
+        self.assert_accepted("src/crowd/a.cpp", '#include "self/self_tree.hpp"',
+                             ["src/self/self_tree.hpp"])
+        self.assert_accepted("src/self/a.cpp", '#include "self/b.hpp"', ["src/self/b.hpp"])
+        for path in ("src/crowd/a.cpp", "tools/pelt/verbs/a.cpp", "evaluation/rivals/a.cpp"):
+            self.assert_refused(path, '#include "self/b.hpp"', ["src/self/b.hpp"])
+
+    def test_evaluation_sees_the_stages_that_it_measures(self):
+        stage = ["src/self/grid_boxes.hpp"]
+        self.assert_accepted("evaluation/rivals/a.cpp", '#include "self/grid_boxes.hpp"', stage)
+        self.assert_refused("src/crowd/a.cpp", '#include "self/grid_boxes.hpp"', stage)
 
     def test_the_reader_knows_the_core_by_its_public_headers(self):
         self.assert_refused("asset/a.cpp", '#include "model/b.hpp"', ["src/model/b.hpp"])
