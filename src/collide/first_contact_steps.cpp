@@ -56,7 +56,7 @@ struct TimeSpanLanes {
 struct OverlapWithin {
   TimeSpan span;
 
-  unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
+  [[gnu::always_inline]] unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
     TimeRanges8 times(span.start, span.end);
     return may_overlap(a, b, times);
   }

@@ -43,13 +43,6 @@ FieldBox root_of(const MovingTree& moving, QueryStats& work) {
   return united(root_of(moving.from, work), root_of(moving.to, work));
 }
 
-void make_tables(const PosedTree& posed) { make_table(posed); }
-
-void make_tables(const MovingTree& moving) {
-  make_table(moving.from);
-  make_table(moving.to);
-}
-
 FieldBox box_of_all(const OpenedNode& opened) { return box_of(opened.all_low, opened.all_high); }
 
 FieldBox box_of_all(const MovingNode& opened) {
@@ -258,7 +251,7 @@ class FieldDescent {
     sink_.contacts().clear();
     ++work_.node_pairs;
     if (!is_near(root_of(view_, work_))) return;
-    make_tables(view_);
+    make_table(view_);
     nodes_.push(0);
     while (!nodes_.empty() && !sink_.is_full()) visit(nodes_.pop());
     pairs_.flush();

@@ -73,7 +73,7 @@ class TimeRanges8 {
 struct OverlapUntil {
   float latest = 1;
 
-  unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
+  [[gnu::always_inline]] unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
     TimeRanges8 times(latest);
     return may_overlap(a, b, times);
   }
@@ -123,7 +123,8 @@ class MovingOverlap {
             repeat(lane_box(node.to.low, node.to.high, slot))};
   }
 
-  static unsigned slots_in(const MovingNode& node, const MovingBoxes8& box, TimeRanges8& times) {
+  [[gnu::always_inline]] static unsigned slots_in(const MovingNode& node, const MovingBoxes8& box,
+                                                  TimeRanges8& times) {
     return may_overlap(
         {load_boxes(node.from.low, node.from.high, 0), load_boxes(node.to.low, node.to.high, 0)},
         box, times);
@@ -147,7 +148,8 @@ inline bool begin_descent(const MovingTree& a, const MovingTree& b, QueryStats& 
   };
   TimeRanges8 times(1);
   if (!may_overlap({boxes(a.from), boxes(a.to)}, {boxes(b.from), boxes(b.to)}, times)) return false;
-  for (const PosedTree* posed : {&a.from, &a.to, &b.from, &b.to}) make_table(*posed);
+  make_table(a);
+  make_table(b);
   return true;
 }
 

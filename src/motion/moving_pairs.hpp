@@ -37,7 +37,7 @@ struct MovingTriangleBoxes {
   const TriangleBoxes &from, &to;
 
  private:
-  MovingBoxes8 eight(unsigned first) const {
+  [[gnu::always_inline]] MovingBoxes8 eight(unsigned first) const {
     return {load_boxes(from.low, from.high, first), load_boxes(to.low, to.high, first)};
   }
 };
@@ -105,7 +105,7 @@ class MovingPairs {
 
   Points8 corner8(const Tree& tree, Side Pair::*side, const float* Side::*end,
                   std::size_t k) const {
-    return gather_points([&](std::uint32_t lane) {
+    return gather_points([&](std::uint32_t lane) __attribute__((always_inline)) {
       const Side& s = waiting_[lane].*side;
       return s.*end + tree.corners[s.triangle][k];
     });

@@ -18,6 +18,11 @@ struct MovingTree {
   const PosedTree &from, &to;
 };
 
+inline void make_table(const MovingTree& moving) {
+  make_table(moving.from);
+  make_table(moving.to);
+}
+
 struct MovingNode {
   const OpenedNode &from, &to;
 };

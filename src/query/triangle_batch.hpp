@@ -39,7 +39,9 @@ class Batch8 {
 /// Gathers eight points: `at(lane)` points to four floats.
 template <typename At>
 [[gnu::always_inline]] inline Points8 gather_points(const At& at_lane) {
-  const auto at = [&](std::uint32_t lane) { return load4(at_lane(lane)); };
+  const auto at = [&](std::uint32_t lane) __attribute__((always_inline)) {
+    return load4(at_lane(lane));
+  };
   return transpose8(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7));
 }
 

@@ -4,7 +4,7 @@
 #include "query/find_triangle.hpp"
 #include "query/slots.hpp"
 #include "query/triangle_batch.hpp"
-#include "self/neighbour_filter.hpp"
+#include "self/moving_neighbours.hpp"
 #include "self/neighbour_pair.hpp"
 #include "self/neighbour_separation.hpp"
 

@@ -1,4 +1,4 @@
-#include "self/pair_filters.hpp"
+#include "self/self_filter.hpp"
 
 #include "base/bytes_held.hpp"
 #include "model/model.hpp"

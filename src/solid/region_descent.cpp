@@ -29,13 +29,6 @@ MovingBoxes8 root_boxes(const MovingTree& moving, QueryStats& work) {
   return {root_boxes(moving.from, work), root_boxes(moving.to, work)};
 }
 
-void make_tables(const PosedTree& posed) { make_table(posed); }
-
-void make_tables(const MovingTree& moving) {
-  make_table(moving.from);
-  make_table(moving.to);
-}
-
 /// Eight boxes of a node's slots or of a cluster's triangles.
 template <typename Boxes>
 Boxes8 boxes_at(const Boxes& boxes, unsigned first) {
@@ -220,7 +213,7 @@ class RegionDescent {
     const Verdict verdict = rule_.judge(1, root_boxes(view_, rule_.work()));
     if (verdict.at_start | verdict.later) return take_node(0, verdict.at_start != 0);
     if (verdict.undecided == 0) return;
-    make_tables(view_);
+    make_table(view_);
     nodes_.push(0);
   }
 

@@ -3,7 +3,6 @@
 #include "self/moving_neighbours.hpp"
 
 #include "motion/moving_cases.hpp"
-#include "self/neighbour_filter.hpp"
 
 #include <gtest/gtest.h>
 

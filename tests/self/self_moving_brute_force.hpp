@@ -4,7 +4,6 @@
 
 #include "collide/moving_bodies.hpp"
 #include "self/moving_neighbours.hpp"
-#include "self/neighbour_filter.hpp"
 
 #include <algorithm>
 #include <array>
