@@ -3,7 +3,7 @@
 #include "base/require.hpp"
 #include "base/vec3.hpp"
 #include "bounds/farthest_search.hpp"
-#include "exact/exact_sum.hpp"
+#include "exact/exact_determinant.hpp"
 #include "pose/pose.hpp"
 #include "query/valid_numbers.hpp"
 

@@ -5,7 +5,7 @@
 #include "base/assert.hpp"
 #include "base/require.hpp"
 #include "model/clusters.hpp"
-#include "model/triangles_below.hpp"
+#include "model/triangle_places.hpp"
 #include "query/scratch.hpp"
 #include "query/sort_contacts.hpp"
 

@@ -15,8 +15,8 @@
 #include "base/vec3.hpp"
 #include "exact/exact_determinant.hpp"
 #include "exact/predicates.hpp"
-#include "geometry/flat_pair.hpp"
 #include "geometry/pair_by_signs.hpp"
+#include "geometry/triangle_pair.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <pelt/crowd.hpp>
 
 #include "model/model.hpp"
-#include "pose/instance.hpp"
+#include "pose/pose.hpp"
 
 #include <cstdint>
 #include <memory>

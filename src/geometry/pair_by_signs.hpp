@@ -10,14 +10,13 @@
 ///   without(p, axis)                the point seen along an axis
 ///   orient2d(p', q', r')            the sign of det(q' - p', r' - p') of points seen along an axis
 ///   lexicographically_less(p, q)    a total order in which a segment's ends are first and last
-///   flat_triangles_intersect(a, b)  as in `flat_pair.hpp`: by `flat_corners_intersect`
-///   segment_meets_triangle(a, b)    as in `flat_pair.hpp`: by `segment_meets_corners`
+///   flat_triangles_intersect(a, b)  as in `triangle_pair.hpp`: by `flat_corners_intersect`
+///   segment_meets_triangle(a, b)    as in `triangle_pair.hpp`: by `segment_meets_corners`
 ///
 /// The templates have internal linkage: a compiler inlines what a file calls once only if no other
 /// file can call it.
 
 #include "exact/predicates.hpp"
-#include "geometry/flat_pair.hpp"
 #include "geometry/triangle_pair.hpp"
 
 #include <algorithm>

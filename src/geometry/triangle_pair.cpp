@@ -15,13 +15,32 @@
 /// triangle's interval begins at p1r1, and the second's at p2q2. The intervals overlap if the end
 /// at p2q2 does not come after the end at p1q1, and the end at p2r2 does not come before the end at
 /// p1r1.
+
 #include "geometry/triangle_pair.hpp"
 
+#include "exact/predicates.hpp"
 #include "geometry/pair_by_signs.hpp"
 
 namespace pelt::detail {
+
 bool triangles_intersect(const TriangleCorners& a, const TriangleCorners& b) {
   return corners_intersect(a, b);
+}
+
+bool has_collapsed(const TriangleCorners& triangle) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [a, b, c] = project(triangle, axis);
+    if (orient2d(a, b, c) != 0) return false;
+  }
+  return true;
+}
+
+bool flat_triangles_intersect(const TriangleCorners& a, const TriangleCorners& b) {
+  return flat_corners_intersect(a, b);
+}
+
+bool segment_meets_triangle(const TriangleCorners& collapsed, const TriangleCorners& triangle) {
+  return segment_meets_corners(collapsed, triangle);
 }
 
 }  // namespace pelt::detail

@@ -37,7 +37,6 @@
 #include "geometry/triangle_triage.hpp"
 
 #include "geometry/points8.hpp"
-#include "geometry/triage_signs.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

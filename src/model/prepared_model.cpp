@@ -4,7 +4,6 @@
 #include "model/check_tree.hpp"
 #include "model/prepared_format.hpp"
 #include "model/triangle_places.hpp"
-#include "model/triangles_below.hpp"
 #include "model/weld.hpp"
 
 #include <algorithm>

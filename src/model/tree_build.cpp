@@ -4,7 +4,6 @@
 #include "model/bound_fit.hpp"
 #include "model/clusters.hpp"
 #include "model/triangle_places.hpp"
-#include "model/triangles_below.hpp"
 #include "model/weld.hpp"
 #include "model/wide_nodes.hpp"
 

@@ -4,7 +4,7 @@
 /// moving_triage.cpp derives the tests and the bounds.
 
 #include "base/float8.hpp"
-#include "geometry/triage_signs.hpp"
+#include "geometry/points8.hpp"
 #include "motion/moving_determinants.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <pelt/query.hpp>
 
-#include "pose/instance.hpp"
+#include "pose/pose.hpp"
 
 #include <span>
 

@@ -1,6 +1,5 @@
-#include "pose/given_vertices.hpp"
-
 #include "pose/pose_boxes.hpp"
+
 #include "skin/skinned_mesh.hpp"
 
 #include <cmath>

@@ -32,7 +32,7 @@
 ///   bool is_impatient() const             visits the most promising of new pairs first
 
 #include "pose/open_node.hpp"
-#include "pose/opened_node.hpp"
+#include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
 #include "query/slots.hpp"
 

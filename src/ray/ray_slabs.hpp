@@ -18,8 +18,8 @@
 
 #include <pelt/ray.hpp>
 
-#include "pose/opened_node.hpp"
 #include "pose/pose_boxes.hpp"
+#include "pose/posed_tree.hpp"
 #include "query/slots.hpp"
 
 #include <cmath>

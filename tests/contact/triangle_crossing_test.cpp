@@ -1,8 +1,8 @@
 /// Which features of two triangles intersect, and where, against CGAL's exact constructions.
 #include "contact/triangle_crossing.hpp"
 
-#include "geometry/flat_pair.hpp"
 #include "geometry/triangle_cases.hpp"
+#include "geometry/triangle_pair.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/intersections.h>

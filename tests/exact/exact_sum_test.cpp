@@ -1,4 +1,4 @@
-#include "exact/exact_sum.hpp"
+#include "exact/exact_determinant.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

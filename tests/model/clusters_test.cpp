@@ -4,7 +4,6 @@
 #include "model/model.hpp"
 #include "model/tree.hpp"
 #include "model/triangle_places.hpp"
-#include "model/triangles_below.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
