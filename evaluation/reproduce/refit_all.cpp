@@ -9,6 +9,7 @@
 #include "evaluation/reproduce/specimen.hpp"
 #include "paper/eager.hpp"
 #include "paper/on_demand.hpp"
+#include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "pose/pose_boxes.hpp"
 
