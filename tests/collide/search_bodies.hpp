@@ -7,6 +7,8 @@
 
 #include <pelt/search.hpp>
 
+#include <gtest/gtest.h>
+
 #include <vector>
 
 namespace pelt::test {
