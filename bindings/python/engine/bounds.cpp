@@ -28,7 +28,7 @@ BoundsColumns all_bounds(const ClipPoses& poses, bool exact, std::uint32_t level
       if (exact)
         exact_bounds(pose.at(*frame), found);
       else
-        bounds(pose.at(*frame), found, {levels});
+        bounds(pose.at(*frame), found, levels);
       SurfacePointColumns::set_vector(low, *frame, found.box.low);
       SurfacePointColumns::set_vector(high, *frame, found.box.high);
       SurfacePointColumns::set_vector(centre, *frame, found.sphere.centre);

@@ -188,7 +188,7 @@ Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation)
   Result<SkinnedModel> model = build(read.asset, read.asset.mesh(), preparation);
   if (!model) return text::prefixed(read.source, in_words_of_javascript(model.error()));
   return CharacterHandle{std::make_shared<Character>(
-      Character{std::move(read), std::move(preparation), {std::move(*model), 0, {}}, {}, {}})};
+      Character{std::move(read), std::move(preparation), {std::move(*model), 0}, {}, {}})};
 }
 
 /// The parameters `caps` and `options`, also of the next functions, are those of

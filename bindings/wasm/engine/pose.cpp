@@ -106,7 +106,7 @@ PELT_EXPORT void pelt_normals(PoseHandle* handle) {
 
 PELT_EXPORT void pelt_bounds(PoseHandle* handle, std::uint32_t levels) {
   Bounds found;
-  answer_stats(bounds(handle->pose, found, {levels}));
+  answer_stats(bounds(handle->pose, found, levels));
   answer_bounds(found);
 }
 

@@ -1,5 +1,7 @@
 /// Contacts of a pose with itself, and their filters.
 
+#include <pelt/self.hpp>
+
 #include "bindings/wasm/engine/answer.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "scenes/triangle_labels.hpp"
