@@ -3,6 +3,7 @@
 /// A crowd for tests, with the same instances as single poses.
 
 #include <pelt/crowd.hpp>
+#include <pelt/self.hpp>
 
 #include "support/skinned_shapes.hpp"
 

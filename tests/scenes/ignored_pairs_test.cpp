@@ -304,7 +304,7 @@ TEST(TriangleLabels, NameTheJointsThatContactsNameToo) {
   ASSERT_TRUE(model);
   const auto labels = label_triangles(*creature);
   ASSERT_TRUE(labels);
-  EXPECT_EQ(labels->joint, detail::Surface(*model).joints);
+  EXPECT_EQ(labels->joint, model->surface().detail().joints);
   EXPECT_GT(std::set(labels->joint.begin(), labels->joint.end()).size(), 20u);
 }
 
