@@ -157,8 +157,6 @@ void compare_many(IntegerPolynomial (*make)(Random&), std::uint64_t seed, int pa
     SCOPED_TRACE(i);
     compare<P>(f, to_compare_with(f, make, random), counts);
   }
-  std::cout << counts.roots << " roots, " << counts.zeros << " signs of 0, " << counts.equal
-            << " equal times\n";
   EXPECT_GT(counts.roots, 500);
   EXPECT_GT(counts.zeros, 20);
   EXPECT_GT(counts.equal, 20);

@@ -43,7 +43,6 @@ struct SignCounts {
 
   void add(int sign) { ++(sign < 0 ? negative : sign > 0 ? positive : zero); }
   void expect_each_at_least(int count) const {
-    std::cout << negative << " negative, " << zero << " zero, " << positive << " positive\n";
     EXPECT_GE(negative, count);
     EXPECT_GE(zero, count);
     EXPECT_GE(positive, count);

@@ -220,7 +220,6 @@ TEST(RayTriangle, IsAsDefinedAlongPlanesAndOfSlivers) {
 }
 
 TEST(RayTriangle, NeverHitsCollapsedTriangles) {
-  std::cout << "seed 37\n";
   Random random(37);
   for (int i = 0; i < 10'000; ++i) {
     IntegerCorners corners = uniform_corners(random, 0, 3);
@@ -233,7 +232,6 @@ TEST(RayTriangle, NeverHitsCollapsedTriangles) {
 }
 
 TEST(RayTriangle, IsAsDefinedOfAnyFloats) {
-  std::cout << "seed 38\n";
   Random random(38);
   Counts counts;
   for (int i = 0; i < 100'000; ++i) {
@@ -248,7 +246,6 @@ TEST(RayTriangle, IsAsDefinedOfAnyFloats) {
 
 /// With t halfway between two floats, or slightly off.
 TEST(RayTriangle, RoundsTToTheNearestFloat) {
-  std::cout << "seed 39\n";
   Random random(39);
   Counts counts;
   int halfway = 0;

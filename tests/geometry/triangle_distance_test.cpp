@@ -179,7 +179,6 @@ TEST(TriangleDistance, IsNeverLessThanThatOfTheBoxes) {
     limited += squared < gap * (1 - 0x1p-21);
     check(a, b, tally);
   }
-  std::cout << limited << " as far as their boxes\n";
   EXPECT_GT(limited, 20);
 }
 

@@ -10,7 +10,6 @@
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 
-#include <iostream>
 
 namespace pelt::test {
 namespace {
@@ -43,8 +42,6 @@ void compare_with_cgal(const Make& make, std::uint64_t seed, int pairs, std::uin
     hits += expected;
   }
   const std::uint64_t exact = detail::exact_sign_count() - exact_before;
-  std::cout << "seed " << seed << ": " << compared << " pairs, " << hits << " hits, " << exact
-            << " exact signs\n";
   EXPECT_GT(compared, pairs / 2);
   EXPECT_GT(hits, compared / 20);
   EXPECT_LT(hits, compared * 19 / 20);

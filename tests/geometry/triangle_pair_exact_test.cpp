@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 
 namespace pelt::test {
 namespace {
@@ -43,8 +42,6 @@ class Tally {
     const double share = static_cast<double>(hits_) / static_cast<double>(pairs_);
     const double exact = static_cast<double>(detail::exact_sign_count() - exact_before_) /
                          static_cast<double>(pairs_);
-    std::cout << "seed " << seed_ << ": " << pairs_ << " pairs, " << 100 * share << " % hits, "
-              << exact << " exact signs per pair\n";
     EXPECT_GE(share, expected.least_hits);
     EXPECT_LE(share, expected.most_hits);
     EXPECT_GE(exact, expected.exact_signs);

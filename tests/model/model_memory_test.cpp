@@ -42,8 +42,6 @@ TEST(ModelMemory, CountsEveryArrayAndNeedsLittleMore) {
   EXPECT_GT(used, 10 * model->triangle_count());
   EXPECT_GE(model->memory_bytes(), used);
   EXPECT_LE(model->memory_bytes(), used * 5 / 4);
-  std::printf("%zu bytes used, %zu held, for %u triangles\n", used, model->memory_bytes(),
-              model->triangle_count());
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <iostream>
 #include <optional>
 #include <ostream>
 
@@ -53,8 +52,6 @@ TEST_P(MovingPairExact, MeetsAsByAnIndependentMethod) {
     at_start += meeting && meeting->at_start;
     later += meeting && !meeting->at_start;
   }
-  std::cout << "seed " << kSeed << ": " << pairs << " pairs, " << at_start << " meet at the start, "
-            << later << " later\n";
   EXPECT_GE(later, GetParam().least_hits * pairs);
   EXPECT_LE(at_start + later, GetParam().most_hits * pairs);
 }

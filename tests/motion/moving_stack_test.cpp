@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 
 #include <pthread.h>
 #include <sys/mman.h>
@@ -82,7 +81,6 @@ TEST(MovingPair, UsesNoMoreOfTheStackThanItsHeaderSays) {
   MarkedStack stack;
   int met = 0;
   stack.run(ask_pairs_of_all_families, &met);
-  std::cout << stack.used() << " bytes, " << met << " pairs meet\n";
   EXPECT_GT(met, 0);
   EXPECT_GT(stack.used(), std::size_t{100'000});
   EXPECT_LT(stack.used(), std::size_t{300'000});
@@ -92,7 +90,6 @@ TEST(MovingRegion, UsesNoMoreOfTheStackThanItsHeaderSays) {
   MarkedStack stack;
   int touched = 0;
   stack.run(ask_regions_of_all_families, &touched);
-  std::cout << stack.used() << " bytes, " << touched << " regions are touched\n";
   EXPECT_GT(touched, 0);
   EXPECT_GT(stack.used(), std::size_t{200'000});
   EXPECT_LT(stack.used(), std::size_t{900'000});

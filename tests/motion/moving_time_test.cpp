@@ -39,7 +39,6 @@ TEST(MovingTime, IsNotAfterATimeAtWhichTheTrianglesIntersect) {
       later += !meeting->at_start;
     }
   });
-  std::cout << later << " times of intersection of pairs that are disjoint at the start\n";
   EXPECT_GT(later, 1'000);
 }
 

@@ -112,7 +112,6 @@ TEST(DualSkinExact, PosedVerticesAreWithinTheProvedRounding) {
           ill += exact.n < 0.25;
         }
       }
-  std::printf("%zu vertices, %zu with n < 1/4, largest error %.2f u M\n", vertices, ill, worst);
   EXPECT_GT(vertices, 2000u);
   EXPECT_GT(ill, 50u);
   EXPECT_GT(worst, 0.2) << "the test must see rounding at all";
