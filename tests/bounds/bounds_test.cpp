@@ -1,8 +1,6 @@
 #include <pelt/bounds.hpp>
 
 #include "bounds/box_of_triangles.hpp"
-#include "support/allocation_count.hpp"
-#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/values.hpp"
 
@@ -45,71 +43,6 @@ struct Asked {
   std::vector<Vec3> positions;
   Box exact;
 };
-
-TEST(Bounds, EncloseAndTightOnesAreExactOnBendingLimbs) {
-  Random random(500);
-  const Shape limb = test::make_limb(60, 20, 6);
-  Pose pose(*build_model(limb.view()));
-  for (int round = 0; round < 200; ++round) {
-    SCOPED_TRACE(round);
-    ASSERT_TRUE(
-        pose.set_palette(test::bend_limb(random, 6, random.uniform(-1.5, 1.5), random.point(2))));
-    Asked(limb, pose).expect_good();
-  }
-}
-
-TEST(Bounds, EncloseSoupsUnderAnyAffineJointsOnEachTarget) {
-  test::on_each_instruction_set([](InstructionSet) {
-    Random random(501);
-    for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-      for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})
-        for (const std::uint32_t influences : {1u, 3u, 9u}) {
-          const Shape soup = test::make_soup(random, 300, 12, influences, weights);
-          Pose pose(*build_model(soup.view()));
-          ASSERT_TRUE(pose.set_palette(test::make_palette(random, 12, motion, 1)));
-          Asked(soup, pose).expect_good();
-        }
-  });
-}
-
-TEST(Bounds, EncloseWhatMorphTargetsDisplaceOnEachTarget) {
-  test::on_each_instruction_set([](InstructionSet) {
-    Random random(507);
-    for (const Motion motion : {Motion::rigid, Motion::affine, Motion::far_away})
-      for (const test::Morphing morphing : test::kAllMorphings) {
-        Shape soup = test::make_soup(random, 300, 12, 4, Weights::random);
-        test::add_morph_targets(random, soup, 14, 0.2, 0.5);
-        Pose pose(*build_model(soup.view()));
-        ASSERT_TRUE(pose.set_palette(test::make_palette(random, 12, motion, 1)));
-        ASSERT_TRUE(pose.set_morph_weights(test::make_morph_weights(random, 14, morphing)));
-        Asked(soup, pose).expect_good();
-      }
-  });
-}
-
-TEST(Bounds, AreTheSameAfterTheSameWorkOnEachTarget) {
-  Random random(506);
-  const Shape limb = test::make_limb(60, 20, 6);
-  Pose pose(*build_model(limb.view()));
-  for (int round = 0; round < 20; ++round) {
-    const auto palette = test::bend_limb(random, 6, 0.8, random.point(10));
-    for (const std::uint32_t levels : {0u, 1u, 2u, 100u}) {
-      std::vector<Bounds> found;
-      std::vector<QueryStats> work;
-      test::on_each_instruction_set([&](InstructionSet) {
-        ASSERT_TRUE(pose.set_palette(palette));
-        work.push_back(bounds(pose, found.emplace_back(), levels));
-      });
-      for (std::size_t i = 0; i < found.size(); ++i) {
-        EXPECT_TRUE(test::same_bits(found[i].box, found[0].box));
-        EXPECT_TRUE(test::same_bits(found[i].sphere.centre, found[0].sphere.centre));
-        EXPECT_EQ(found[i].sphere.radius, found[0].sphere.radius);
-        EXPECT_EQ(work[i].node_pairs, work[0].node_pairs);
-        EXPECT_EQ(work[i].posed_vertices, work[0].posed_vertices);
-      }
-    }
-  }
-}
 
 /// Joints with the largest scales that a palette may have.
 TEST(Bounds, EncloseAtTheLimitsOfScale) {
@@ -196,19 +129,31 @@ TEST(Bounds, TightOnesOpenAPartOfTheTreeOnceAndLevelsBoundTheWork) {
   EXPECT_EQ(again.refits, 0u);
 }
 
-TEST(Bounds, DoNotAllocateOnceThePoseIsReserved) {
-  Random random(505);
-  const Shape limb = test::make_limb(60, 20, 6);
+TEST(FarthestVertex, OpensFewNodes) {
+  Random random(941);
+  const Shape limb = test::make_limb(200, 40, 5);
   Pose pose(*build_model(limb.view()));
-  pose.reserve();
-  const auto palette = test::bend_limb(random, 6, 0.7, {});
-  const std::size_t before = test::allocation_count();
-  for (const std::uint32_t levels : {0u, 1u, 2u, 100u}) {
-    ASSERT_TRUE(pose.set_palette(palette));
-    test::bounds_of(pose, levels);
+  std::uint64_t posed = 0;
+  for (int round = 0; round < 10; ++round) {
+    ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 5, 0.4, random.point(1))));
+    FarthestVertex found;
+    posed += farthest_vertex(pose, random.point(1), found).posed_vertices;
   }
-  EXPECT_EQ(test::allocation_count(), before);
-  EXPECT_GT(test::allocation_count(), 0u) << "the counter must count";
+  EXPECT_GT(posed, 0u);
+  EXPECT_LT(posed, 10 * limb.rest_positions.size() / 4);
+}
+
+TEST(FarthestVertex, AcceptsDirectionsOfAnyLength) {
+  const Shape limb = test::make_limb(24, 10, 5);
+  Pose pose(*build_model(limb.view()));
+  FarthestVertex unit, tiny, huge;
+  farthest_vertex(pose, {1, -2, 3}, unit);
+  farthest_vertex(pose, {0x1p-149f, -0x1p-148f, 0x3p-149f}, tiny);
+  farthest_vertex(pose, {0x1p125f, -0x1p126f, 0x3p125f}, huge);
+  EXPECT_EQ(tiny.triangle, unit.triangle);
+  EXPECT_EQ(huge.triangle, unit.triangle);
+  EXPECT_EQ(tiny.corner, unit.corner);
+  EXPECT_EQ(huge.corner, unit.corner);
 }
 
 }  // namespace

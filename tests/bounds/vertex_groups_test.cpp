@@ -1,7 +1,6 @@
 #include <pelt/bounds.hpp>
 
 #include "bounds/box_of_triangles.hpp"
-#include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/values.hpp"
@@ -141,19 +140,6 @@ TEST(VertexGroups, CountEachDisplacementByActiveTargets) {
   EXPECT_EQ(stats.displacements, displaced_by(0) + displaced_by(2));
   ASSERT_TRUE(pose.set_morph_weights(std::vector<float>{0, 0, 0}));
   EXPECT_EQ(exact_group_bounds(pose, groups, 0, box).displacements, 0u);
-}
-
-TEST(VertexGroups, QueriesDoNotAllocate) {
-  const Shape limb = test::make_morphing_limb(12, 8, 3);
-  Pose pose(*build_model(limb.view()));
-  ASSERT_TRUE(pose.set_morph_weights(std::vector<float>{0.5f, 0.25f, 1}));
-  const VertexGroups groups = group_by_joint(pose.model());
-  const std::size_t before = test::allocation_count();
-  for (std::uint32_t g = 0; g < groups.count(); ++g) {
-    test::group_box(pose, groups, g);
-    test::exact_group_box(pose, groups, g);
-  }
-  EXPECT_EQ(test::allocation_count(), before);
 }
 
 }  // namespace

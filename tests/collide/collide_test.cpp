@@ -1,123 +1,27 @@
 #include <pelt/collide.hpp>
 
-#include "contacts_of.hpp"
-#include "support/allocation_count.hpp"
-#include "support/skinned_shapes.hpp"
+#include "collide/collide_trees.hpp"
+#include "collide/cluster_pair.hpp"
+#include "pose/pose.hpp"
+#include "query/scratch.hpp"
+#include "support/limbs.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace pelt {
 namespace {
 
-using test::brute_force;
-using test::contacts_of;
-using test::Motion;
+using test::LimbPair;
 using test::Random;
 using test::Shape;
-using test::Weights;
-
-/// Two bending limbs that often touch.
-struct Limbs {
-  Shape shape_a = test::make_limb(24, 10, 5), shape_b = test::make_limb(17, 9, 4);
-  Pose a = Pose(*build_model(shape_a.view())), b = Pose(*build_model(shape_b.view()));
-  Scratch scratch;
-
-  void move(Random& random, double distance) {
-    ASSERT_TRUE(a.set_palette(test::bend_limb(random, 5, random.uniform(-0.6, 0.6), {})));
-    ASSERT_TRUE(b.set_palette(
-        test::bend_limb(random, 4, random.uniform(-0.6, 0.6), random.point(distance))));
-  }
-};
-
-TEST(Collide, EqualsBruteForceOnBendingLimbs) {
-  Random random(10);
-  Limbs limbs;
-  int touching = 0, apart = 0;
-  for (int round = 0; round < 300; ++round) {
-    limbs.move(random, 0.3);
-    const auto expected = brute_force(limbs.shape_a, limbs.a, limbs.shape_b, limbs.b);
-    ASSERT_EQ(contacts_of(limbs.a, limbs.b, limbs.scratch), expected) << "round " << round;
-    ASSERT_EQ(intersects(limbs.a, limbs.b, limbs.scratch).answer, !expected.empty());
-    ++(expected.empty() ? apart : touching);
-  }
-  EXPECT_GT(touching, 60);
-  EXPECT_GT(apart, 60);
-}
-
-TEST(Collide, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
-  Random random(11);
-  Scratch scratch;
-  std::size_t contacts = 0;
-  int cases = 0, touching = 0;
-  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})
-      for (const std::uint32_t influences : {1u, 3u, 4u, 9u}) {
-        const Shape a = test::make_soup(random, 150, 6, influences, weights);
-        const Shape b = test::make_soup(random, 120, 5, influences, weights);
-        Pose pose_a(*build_model(a.view())), pose_b(*build_model(b.view()));
-        ASSERT_TRUE(pose_a.set_palette(test::make_palette(random, 6, motion, 1)));
-        ASSERT_TRUE(pose_b.set_palette(test::make_palette(random, 5, motion, 1)));
-        const auto expected = brute_force(a, pose_a, b, pose_b);
-        ASSERT_EQ(contacts_of(pose_a, pose_b, scratch), expected);
-        contacts += expected.size();
-        touching += !expected.empty();
-        ++cases;
-      }
-  EXPECT_GT(touching, cases * 3 / 4);
-  EXPECT_GT(contacts, 1000u);
-}
-
-TEST(Collide, SwappingTheBodiesSwapsThePairs) {
-  Random random(12);
-  Limbs limbs;
-  std::size_t seen = 0;
-  for (int round = 0; round < 50; ++round) {
-    limbs.move(random, 0.3);
-    const auto forward = contacts_of(limbs.a, limbs.b, limbs.scratch);
-    auto backward = contacts_of(limbs.b, limbs.a, limbs.scratch);
-    for (Contact& c : backward) std::swap(c.triangle_a, c.triangle_b);
-    std::sort(backward.begin(), backward.end());
-    ASSERT_EQ(forward, backward);
-    seen += forward.size();
-  }
-  EXPECT_GT(seen, 200u);
-}
-
-TEST(Collide, AppendsInAscendingOrder) {
-  Random random(13);
-  Limbs limbs;
-  limbs.move(random, 0.05);
-  std::vector<Contact> contacts = {{7, 7}};
-  collide(limbs.a, limbs.b, limbs.scratch, contacts);
-  ASSERT_GT(contacts.size(), 10u);
-  EXPECT_EQ(contacts[0], (Contact{7, 7}));
-  EXPECT_TRUE(std::is_sorted(contacts.begin() + 1, contacts.end()));
-}
-
-TEST(Collide, StopsAtTheLimit) {
-  Random random(14);
-  Limbs limbs;
-  limbs.move(random, 0.05);
-  const auto all = contacts_of(limbs.a, limbs.b, limbs.scratch);
-  const auto count = static_cast<std::uint32_t>(all.size());
-  ASSERT_GT(count, 10u);
-  for (const std::uint32_t limit : {0u, 1u, 5u, count - 1, count, count + 1}) {
-    std::vector<Contact> some;
-    const QueryStats stats =
-        collide(limbs.a, limbs.b, limbs.scratch, some, {.max_contacts = limit});
-    EXPECT_EQ(some.size(), std::min(limit, count));
-    EXPECT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()));
-    if (limit != count) {
-      EXPECT_EQ(stats.cut_short, limit < count);
-    }
-  }
-}
 
 TEST(Collide, RefitsANodeAtMostOnceForEachPaletteHoweverManyQueriesAsk) {
   Random random(15);
-  Limbs limbs;
+  LimbPair limbs;
   const SkinnedModel model = limbs.b.model();
   const auto palette_b = test::bend_limb(random, 4, 0.3, {0.05f, 0, 0});
   const auto palette_third = test::bend_limb(random, 4, 0.3, {0.02f, 0, 0});
@@ -148,7 +52,7 @@ TEST(Collide, RefitsANodeAtMostOnceForEachPaletteHoweverManyQueriesAsk) {
 
 TEST(Collide, SeparatedBodiesCostTwoRefits) {
   Random random(16);
-  Limbs limbs;
+  LimbPair limbs;
   limbs.move(random, 0);
   ASSERT_TRUE(limbs.b.set_palette(test::bend_limb(random, 4, 0.1, {50, 0, 0})));
   std::vector<Contact> contacts;
@@ -160,25 +64,20 @@ TEST(Collide, SeparatedBodiesCostTwoRefits) {
   EXPECT_FALSE(collide(limbs.a, limbs.b, limbs.scratch, contacts, {.max_contacts = 0}).cut_short);
 }
 
-TEST(Collide, DoesNotAllocateOnceWarm) {
-  Random random(17);
-  Limbs limbs;
+/// Opened nodes of a mesh stay open while it does not move.
+TEST(Collide, PosesAMeshOnceWhileItStands) {
+  Random random(752);
+  LimbPair limbs;
+  Pose rock(*build_model(test::make_soup(random, 300, 1, 1, test::Weights::one_joint).view()));
   std::vector<Contact> contacts;
-  limbs.move(random, 0.05);
-  collide(limbs.a, limbs.b, limbs.scratch, contacts);
-  contacts.reserve(1 << 16);
-  const auto palette = test::bend_limb(random, 5, 0.4, {});
-  for (int round = 0; round < 3; ++round) {
-    contacts.clear();
-    const std::size_t before = test::allocation_count();
-    ASSERT_TRUE(limbs.a.set_palette(palette));
-    collide(limbs.a, limbs.b, limbs.scratch, contacts);
-    intersects(limbs.a, limbs.b, limbs.scratch);
-    if (round > 0) {
-      EXPECT_EQ(test::allocation_count(), before);
-    }
-  }
-  EXPECT_GT(test::allocation_count(), 0u) << "the counter must count";
+  const auto palette = test::bend_limb(random, 5, 0.5, {});
+  ASSERT_TRUE(limbs.a.set_palette(palette));
+  const QueryStats first = collide(limbs.a, rock, limbs.scratch, contacts);
+  ASSERT_TRUE(limbs.a.set_palette(palette));
+  const QueryStats second = collide(limbs.a, rock, limbs.scratch, contacts);
+  EXPECT_GT(second.posed_vertices, 0u);
+  EXPECT_LT(second.posed_vertices, first.posed_vertices);
+  EXPECT_FALSE(contacts.empty());
 }
 
 TEST(Collide, PosesOfOneModelAreIndependent) {
@@ -206,6 +105,57 @@ TEST(QueryStats, AddUp) {
   EXPECT_EQ(sum.posed_vertices, 33u);
   EXPECT_EQ(sum.triangle_pairs, 44u);
   EXPECT_TRUE(sum.cut_short);
+}
+
+TEST(LowestContact, TestsFewerTrianglesThanAllContacts) {
+  Random random(32);
+  Pose a(*build_model(test::make_limb(40, 16, 5).view()));
+  Pose b(*build_model(test::make_limb(40, 16, 4).view()));
+  Scratch scratch;
+  std::uint64_t all = 0, lowest = 0;
+  std::optional<Contact> found;
+  std::vector<Contact> contacts;
+  for (int round = 0; round < 30; ++round) {
+    ASSERT_TRUE(a.set_palette(test::bend_limb(random, 5, random.uniform(-0.6, 0.6), {})));
+    ASSERT_TRUE(
+        b.set_palette(test::bend_limb(random, 4, random.uniform(-0.6, 0.6), random.point(0.3))));
+    all += collide(a, b, scratch, contacts).triangle_pairs;
+    lowest +=
+        lowest_contact(a.detail().posed_tree(), b.detail().posed_tree(), scratch.detail(), found)
+            .triangle_pairs;
+  }
+  EXPECT_LT(2 * lowest, all);
+}
+
+using Pairs = std::vector<std::pair<unsigned, unsigned>>;
+
+Pairs contents(const detail::RowLanes& list) {
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < list.size(); ++i) pairs.emplace_back(list.row(i), list.lane(i));
+  return pairs;
+}
+
+TEST(RowLanes, ListsTheLanesOfEverySetOfBits) {
+  for (unsigned lanes = 0; lanes < 0x10000; ++lanes) {
+    const unsigned row = lanes % 16;
+    Pairs expected;
+    for (unsigned lane = 0; lane < 16; ++lane)
+      if (lanes >> lane & 1) expected.emplace_back(row, lane);
+    detail::RowLanes list;
+    list.add(row, lanes);
+    ASSERT_EQ(contents(list), expected) << "lanes " << lanes;
+  }
+}
+
+TEST(RowLanes, KeepsTheOrderOfRowsUpToAllPairs) {
+  Pairs expected;
+  detail::RowLanes list;
+  for (unsigned row = 0; row < 16; ++row) {
+    list.add(15 - row, 0);
+    list.add(row, 0xFFFF);
+    for (unsigned lane = 0; lane < 16; ++lane) expected.emplace_back(row, lane);
+  }
+  EXPECT_EQ(contents(list), expected);
 }
 
 }  // namespace

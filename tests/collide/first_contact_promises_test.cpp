@@ -129,7 +129,6 @@ TEST(FirstContactPromises, TheLowerBoundNeverFalls) {
       former = search.apart_until();
     }
   }
-  std::printf("seed 651: %zu rises\n", rises);
   EXPECT_GT(rises, 200u);
 }
 

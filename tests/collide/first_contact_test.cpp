@@ -2,8 +2,6 @@
 
 #include "motion/meeting_order.hpp"
 #include "moving_bodies.hpp"
-#include "support/allocation_count.hpp"
-#include "support/instruction_sets.hpp"
 
 namespace pelt::test {
 namespace {
@@ -56,44 +54,10 @@ TEST(FirstContact, IsTheFirstOfAllContacts) {
               return after && !c.at_start && c.time == after->time;
             }) > 1;
   }
-  std::printf("seed 1821: %d at the start, %d later, %d never, %d ties\n", at_start, later, apart,
-              ties);
   EXPECT_GT(at_start, 10);
   EXPECT_GT(later, 7);
   EXPECT_GT(apart, 3);
   EXPECT_GT(ties, 10);
-}
-
-TEST(FirstContact, IsTheSameWithEveryInstructionSet) {
-  Random random(1822);
-  Limbs limbs;
-  int found = 0;
-  for (int round = 0; round < 20; ++round) {
-    limbs.move(random, 0.6);
-    const auto expected = first_contact_of(limbs.a, limbs.b, true);
-    found += expected.has_value();
-    on_each_instruction_set(
-        [&](InstructionSet) { EXPECT_EQ(first_contact_of(limbs.a, limbs.b, true), expected); });
-  }
-  EXPECT_GT(found, 4);
-}
-
-/// Two soups of triangles, many of which share corners or touch each other from the start.
-TEST(FirstContact, IsTheFirstOfAllContactsOfSoups) {
-  Random random(1823);
-  int later = 0;
-  for (int round = 0; round < 12; ++round) {
-    Body a(make_soup(random, 40, 4, 2, Weights::random));
-    Body b(make_soup(random, 40, 4, 2, Weights::random));
-    const auto palette = [&] { return make_palette(random, 4, test::Motion::rigid, 1); };
-    const auto from_a = palette(), to_a = palette(), from_b = palette(), to_b = palette();
-    a.move(from_a, to_a);
-    b.move(from_b, to_b);
-    const auto expected = first_after_start(a, b, brute_force(a, b));
-    EXPECT_EQ(first_contact_of(a, b, true), expected);
-    later += expected.has_value();
-  }
-  EXPECT_GT(later, 6);
 }
 
 TEST(FirstContact, VisitsLessThanAllContacts) {
@@ -108,22 +72,7 @@ TEST(FirstContact, VisitsLessThanAllContacts) {
     all += collide(limbs.a.step(), limbs.b.step(), scratch, contacts).triangle_pairs;
     first += first_contact(limbs.a.step(), limbs.b.step(), scratch, contact).triangle_pairs;
   }
-  std::printf("triangle pairs: %llu of all contacts, %llu of the first\n",
-              static_cast<unsigned long long>(all), static_cast<unsigned long long>(first));
   EXPECT_LT(3 * first, all);
-}
-
-TEST(FirstContact, AllocatesNothingWhenWarm) {
-  Random random(1825);
-  Limbs limbs;
-  limbs.move(random, 0.2);
-  Scratch scratch;
-  std::optional<MovingContact> first;
-  first_contact(limbs.a.step(), limbs.b.step(), scratch, first, {.leave_out_start = true});
-  ASSERT_TRUE(first);
-  const std::size_t before = allocation_count();
-  first_contact(limbs.a.step(), limbs.b.step(), scratch, first, {.leave_out_start = true});
-  EXPECT_EQ(allocation_count(), before);
 }
 
 }  // namespace

@@ -1,16 +1,12 @@
 #pragma once
 
-/// Characters at both ends of a step, and the test of all pairs of their triangles. It uses the
-/// filtered test, which tests/motion compares with the exact one.
+/// Characters at both ends of a step.
 
-#include <pelt/motion.hpp>
-
-#include "motion/moving_filter.hpp"
+#include "collide/moving_brute_force.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace pelt::test {
@@ -29,16 +25,7 @@ struct Body {
     ASSERT_TRUE(to.set_palette(last));
   }
 
-  std::vector<detail::MovingTriangle> triangles() const {
-    std::vector<Vec3> first(shape.rest_positions.size()), last(first.size());
-    posed_vertices(from, first);
-    posed_vertices(to, last);
-    std::vector<detail::MovingTriangle> all;
-    for (const Triangle& t : shape.triangles)
-      all.push_back(
-          {{first[t[0]], first[t[1]], first[t[2]]}, {last[t[0]], last[t[1]], last[t[2]]}});
-    return all;
-  }
+  MovingTriangles triangles() const { return moving_triangles(shape.triangles, from, to); }
 
   Shape shape;
   Pose from, to;
@@ -48,38 +35,6 @@ inline std::vector<MovingContact> contacts_of(Body& a, Body& b, const MovingOpti
   Scratch scratch;
   std::vector<MovingContact> contacts;
   collide(a.step(), b.step(), scratch, contacts, options);
-  return contacts;
-}
-
-inline Feature feature(const detail::ClosedFeature& f) {
-  return {static_cast<FeatureKind>(f.kind), f.number};
-}
-
-/// Whether the boxes of the whole paths of two triangles are disjoint.
-inline bool are_far(const detail::MovingTriangle& a, const detail::MovingTriangle& b) {
-  for (float Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-    const auto range = [&](const detail::MovingTriangle& t) {
-      return std::minmax({t.from[0].*axis, t.from[1].*axis, t.from[2].*axis, t.to[0].*axis,
-                          t.to[1].*axis, t.to[2].*axis});
-    };
-    if (range(a).second < range(b).first || range(b).second < range(a).first) return true;
-  }
-  return false;
-}
-
-inline std::vector<MovingContact> brute_force_moving(const std::vector<detail::MovingTriangle>& a,
-                                                     const std::vector<detail::MovingTriangle>& b) {
-  MovingStats work;
-  std::vector<MovingContact> contacts;
-  for (std::uint32_t i = 0; i < a.size(); ++i)
-    for (std::uint32_t k = 0; k < b.size(); ++k) {
-      if (are_far(a[i], b[k])) continue;
-      if (const auto first = detail::find_first_meeting(a[i], b[k], work)) {
-        MovingContact contact{{i, k}, first->time, first->at_start, {}, {}};
-        if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
-        contacts.push_back(contact);
-      }
-    }
   return contacts;
 }
 

@@ -1,16 +1,13 @@
 #include <pelt/surface.hpp>
 
 #include "base/vec3.hpp"
-#include "support/allocation_count.hpp"
 #include "support/closed_shapes.hpp"
-#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <set>
 
 namespace pelt::test {
@@ -109,7 +106,6 @@ TEST(Contact, CurvesOfClosedSurfacesAreClosed) {
     curves += geometry.curves.size();
     hits += !geometry.curves.empty();
   }
-  std::cout << hits << " of 60 in contact, " << curves << " curves\n";
   EXPECT_GT(hits, 20u);
   EXPECT_GT(curves, hits);
 }
@@ -196,7 +192,6 @@ TEST(Contact, MeasuresAllCurvesByTheirDefinition) {
     for (const ContactCurve& curve : geometry.curves) check_measures(geometry, curve);
     curves += geometry.curves.size();
   }
-  std::cout << curves << " curves\n";
   EXPECT_GT(curves, 30u);
 }
 
@@ -312,7 +307,6 @@ TEST(Contact, InOnePlaneTheNormalIsThatOfB) {
       ++(dot(n_a, n_b) > 0 ? equal : opposite);
     }
   }
-  std::cout << equal << " equal, " << opposite << " opposite\n";
   EXPECT_GT(equal, 500u);
   EXPECT_GT(opposite, 500u);
 }
@@ -365,35 +359,6 @@ TEST(Contact, OfASoupIsComplete) {
     }
   }
   EXPECT_TRUE(kinds.contains(ContactKind::segment) && kinds.contains(ContactKind::collapsed));
-}
-
-TEST(Contact, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
-  Random random(8);
-  const std::vector<Matrix4> palette_a = bend_limb(random, 4, 0.4, {0, 0, 0});
-  const std::vector<Matrix4> palette_b = bend_limb(random, 4, 0.4, {0.11f, 0.05f, 0.07f});
-  std::vector<ContactTrace> first;
-  on_each_instruction_set([&](InstructionSet) {
-    Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
-    a.set(palette_a);
-    b.set(palette_b);
-    Scratch scratch;
-    std::vector<Contact> contacts;
-    collide(a.pose, b.pose, scratch, contacts);
-    ASSERT_FALSE(contacts.empty());
-    ContactGeometry geometry;
-    describe_contacts(a.pose, b.pose, contacts, scratch, geometry);
-    const std::uint64_t before = allocation_count();
-    describe_contacts(a.pose, b.pose, contacts, scratch, geometry);
-    EXPECT_EQ(allocation_count(), before);
-    if (first.empty()) first = geometry.traces;
-    ASSERT_EQ(geometry.traces.size(), first.size());
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      EXPECT_EQ(geometry.traces[i].from, first[i].from);
-      EXPECT_EQ(geometry.traces[i].to, first[i].to);
-      EXPECT_EQ(geometry.traces[i].normal, first[i].normal);
-      EXPECT_EQ(geometry.traces[i].depth, first[i].depth);
-    }
-  });
 }
 
 }  // namespace

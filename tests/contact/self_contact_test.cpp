@@ -4,16 +4,13 @@
 #include <pelt/surface.hpp>
 
 #include "contact/triangle_crossing.hpp"
-#include "support/allocation_count.hpp"
 #include "support/closed_shapes.hpp"
-#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <set>
 #include <tuple>
@@ -185,7 +182,6 @@ TEST(SelfContact, OfTwoPartsEqualsThatOfTwoPoses) {
     hits += !geometry.curves.empty();
     swaps += count_swaps(geometry);
   }
-  std::cout << hits << " of 60 in contact, " << curves << " curves, " << swaps << " swaps\n";
   EXPECT_GT(hits, 20u);
   EXPECT_GT(curves, hits);
   EXPECT_GT(swaps, 1000u);
@@ -265,7 +261,6 @@ TEST(SelfContact, CurvesOfAFoldedLimbAreClosedOrEndAtSharedCorners) {
     }
     swaps += count_swaps(geometry);
   }
-  std::cout << closed << " closed curves, " << open << " open, " << swaps << " swaps\n";
   EXPECT_GT(closed, 3u);
   EXPECT_GT(open, 50u);
   EXPECT_GT(swaps, 500u);
@@ -361,32 +356,6 @@ TEST(SelfContact, OfASoupIsComplete) {
       for (const ContactTrace& trace : geometry.traces) kinds.insert(trace.kind);
     }
   EXPECT_TRUE(kinds.contains(ContactKind::segment) && kinds.contains(ContactKind::collapsed));
-}
-
-TEST(SelfContact, IsTheSameOnEveryInstructionSetAndAllocatesNothingTheSecondTime) {
-  Random random(44);
-  const Shape limb = make_limb(30, 9, 6);
-  const std::vector<Matrix4> palette = bend_limb(random, 6, 1.2, {});
-  std::vector<ContactPatch> first;
-  on_each_instruction_set([&](InstructionSet) {
-    Body body(limb);
-    body.set(palette);
-    Scratch scratch;
-    std::vector<Contact> contacts;
-    self_collide(body.pose, body.filter, scratch, contacts);
-    ASSERT_GT(contacts.size(), 20u);
-    ContactGeometry geometry;
-    describe_contacts(body.pose, contacts, scratch, geometry);
-    const std::uint64_t before = allocation_count();
-    describe_contacts(body.pose, contacts, scratch, geometry);
-    EXPECT_EQ(allocation_count(), before);
-    if (first.empty()) first = geometry.patches;
-    ASSERT_EQ(geometry.patches.size(), first.size());
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      EXPECT_EQ(geometry.patches[i].point, first[i].point);
-      EXPECT_EQ(geometry.patches[i].normal, first[i].normal);
-    }
-  });
 }
 
 }  // namespace

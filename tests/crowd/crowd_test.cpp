@@ -41,21 +41,6 @@ TEST(Crowd, EqualsAllPairsOneByOneWithAnyTargetAndNumberOfThreads) {
   EXPECT_GT(apart, 300u);
 }
 
-TEST(Crowd, AppendsInAscendingOrder) {
-  Random random(33);
-  TestCrowd crowd = make_mixed_crowd(random, 15, 0.5);
-  std::vector<CrowdContact> contacts = {{9, 9, 9, 9}};
-  std::vector<CrowdPair> pairs = {{9, 9}};
-  crowd.crowd.collide(contacts);
-  crowd.crowd.intersecting_pairs(pairs);
-  ASSERT_GT(contacts.size(), 100u);
-  ASSERT_GT(pairs.size(), 10u);
-  EXPECT_EQ(contacts[0], (CrowdContact{9, 9, 9, 9}));
-  EXPECT_EQ(pairs[0], (CrowdPair{9, 9}));
-  EXPECT_TRUE(std::is_sorted(contacts.begin() + 1, contacts.end()));
-  EXPECT_TRUE(std::is_sorted(pairs.begin() + 1, pairs.end()));
-}
-
 TEST(Crowd, MasksMustAgreeOnBothSides) {
   Random random(34);
   TestCrowd crowd(mixed_shapes(random));

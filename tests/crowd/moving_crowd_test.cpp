@@ -85,7 +85,6 @@ TEST(MovingCrowd, EqualsAllPairsOneByOneWithAnyTargetAndNumberOfThreads) {
     contacts += expected.size();
     for (const CrowdMovingContact& c : expected) later += !c.moving.at_start;
   }
-  std::printf("seed 1841: %zu contacts, %zu after the start\n", contacts, later);
   EXPECT_GT(contacts, 1000u);
   EXPECT_GT(later, 500u);
   EXPECT_EQ(untimed_contacts, later);

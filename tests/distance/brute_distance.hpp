@@ -3,7 +3,7 @@
 /// Distances by brute force over all pairs of posed triangles.
 
 #include "geometry/triangle_distance.hpp"
-#include "support/skinned_shapes.hpp"
+#include "support/brute_force.hpp"
 
 #include <pelt/distance.hpp>
 
@@ -20,17 +20,6 @@ namespace pelt::test {
 using detail::closest_points;
 using detail::TriangleCorners;
 using detail::triangles_intersect;
-
-/// All triangles, posed.
-inline std::vector<TriangleCorners> posed_triangles(std::span<const Triangle> triangles,
-                                                    const Pose& pose) {
-  std::vector<Vec3> positions(pose.model().vertex_count());
-  posed_vertices(pose, positions);
-  std::vector<TriangleCorners> posed;
-  for (const Triangle& t : triangles)
-    posed.push_back({positions[t[0]], positions[t[1]], positions[t[2]]});
-  return posed;
-}
 
 inline double triangle_distance(const TriangleCorners& a, const TriangleCorners& b) {
   return triangles_intersect(a, b) ? 0 : std::sqrt(closest_points(a, b).squared_distance);
@@ -95,21 +84,5 @@ inline bool same(const Distance& x, const Distance& y) {
   return x.distance == y.distance && x.lower_bound == y.lower_bound && same_point(x.a, y.a) &&
          same_point(x.b, y.b);
 }
-
-/// Two limbs in random poses, some of which touch.
-struct Limbs {
-  Shape shape_a = make_limb(24, 10, 5), shape_b = make_limb(17, 9, 4);
-  Pose a = Pose(*build_model(shape_a.view())), b = Pose(*build_model(shape_b.view()));
-  Scratch scratch;
-
-  void move(Random& random, double distance) {
-    ASSERT_TRUE(a.set_palette(bend_limb(random, 5, random.uniform(-0.6, 0.6), {})));
-    ASSERT_TRUE(
-        b.set_palette(bend_limb(random, 4, random.uniform(-0.6, 0.6), random.point(distance))));
-  }
-
-  std::vector<TriangleCorners> triangles_a() const { return posed_triangles(shape_a.triangles, a); }
-  std::vector<TriangleCorners> triangles_b() const { return posed_triangles(shape_b.triangles, b); }
-};
 
 }  // namespace pelt::test

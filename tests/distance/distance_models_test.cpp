@@ -16,7 +16,6 @@ namespace {
 using test::brute_distance;
 using test::BruteDistance;
 using test::posed_triangles;
-using test::TriangleCorners;
 
 struct Case {
   std::string model;

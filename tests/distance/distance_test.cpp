@@ -2,7 +2,7 @@
 
 #include "brute_distance.hpp"
 #include "query/answers.hpp"
-#include "support/instruction_sets.hpp"
+#include "support/limbs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,11 @@ namespace {
 using detail::point_at;
 using test::brute_distance;
 using test::BruteDistance;
-using test::Limbs;
-using test::Motion;
+using test::LimbPair;
 using test::posed_triangles;
 using test::Random;
 using test::same;
 using test::Shape;
-using test::TriangleCorners;
-using test::Weights;
 
 Distance distance_of(Pose& a, Pose& b, Scratch& scratch, const DistanceOptions& options = {}) {
   Distance closest;
@@ -34,25 +31,9 @@ void expect_equal(const Distance& found, const BruteDistance& expected) {
   ASSERT_EQ(found.b.triangle, expected.triangle_b);
 }
 
-TEST(Distance, EqualsBruteForceOnBendingLimbs) {
-  Random random(110);
-  Limbs limbs;
-  int touching = 0, apart = 0;
-  for (int round = 0; round < 100; ++round) {
-    limbs.move(random, round % 3 == 0 ? 0.3 : round % 3 == 1 ? 1 : 30);
-    const BruteDistance expected = brute_distance(limbs.triangles_a(), limbs.triangles_b());
-    expect_equal(distance_of(limbs.a, limbs.b, limbs.scratch), expected);
-    ASSERT_FALSE(HasFatalFailure()) << "round " << round;
-    ASSERT_EQ(intersects(limbs.a, limbs.b, limbs.scratch).answer, expected.distance == 0);
-    ++(expected.distance == 0 ? touching : apart);
-  }
-  EXPECT_GT(touching, 4);
-  EXPECT_GT(apart, 30);
-}
-
 TEST(Distance, IsAnIntervalAfterAnyAmountOfWork) {
   Random random(123);
-  Limbs limbs;
+  LimbPair limbs;
   int cut = 0, touching = 0, bounded_below = 0, bounded_above = 0;
   for (int round = 0; round < 40; ++round) {
     limbs.move(random, round % 3 == 0 ? 0.2 : 1);
@@ -81,30 +62,6 @@ TEST(Distance, IsAnIntervalAfterAnyAmountOfWork) {
   EXPECT_GT(cut, 300);
   EXPECT_GT(bounded_below, 20);
   EXPECT_GT(bounded_above, 20);
-}
-
-TEST(Distance, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
-  Random random(111);
-  Scratch scratch;
-  int touching = 0, apart = 0;
-  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})
-      for (const float shift : {0.0f, 2.0f, 6.0f}) {
-        const Shape a = test::make_soup(random, 150, 6, 3, weights);
-        const Shape b = test::make_soup(random, 120, 5, 4, weights);
-        Pose pose_a(*build_model(a.view())), pose_b(*build_model(b.view()));
-        auto palette = test::make_palette(random, 5, motion, 0.2);
-        for (Matrix4& m : palette) m.m[12] += shift;
-        ASSERT_TRUE(pose_a.set_palette(test::make_palette(random, 6, motion, 0.2)));
-        ASSERT_TRUE(pose_b.set_palette(palette));
-        const BruteDistance expected = brute_distance(posed_triangles(a.triangles, pose_a),
-                                                      posed_triangles(b.triangles, pose_b));
-        expect_equal(distance_of(pose_a, pose_b, scratch), expected);
-        ASSERT_FALSE(HasFatalFailure());
-        ++(expected.distance == 0 ? touching : apart);
-      }
-  EXPECT_GT(touching, 5);
-  EXPECT_GT(apart, 5);
 }
 
 /// Flat triangles, one for each three points, moved by one joint.
@@ -155,7 +112,7 @@ TEST(Distance, OfABodyInsideAnotherIsNotZero) {
 /// Two limbs, scaled by `scale` and translated by `shift` from the origin.
 void expect_brute_force_at(double scale, double shift, double apart, std::uint64_t seed) {
   Random random(seed);
-  Limbs limbs;
+  LimbPair limbs;
   const auto placed = [&](std::vector<Matrix4> palette, double x) {
     for (Matrix4& m : palette) {
       for (float& e : m.m) e = static_cast<float>(e * scale);
@@ -180,29 +137,9 @@ TEST(Distance, HugeTinyAndFarFromTheOrigin) {
   expect_brute_force_at(1, 100000, 1.5, 115);
 }
 
-TEST(Distance, IsTheSameOnAllInstructionSets) {
-  Random random(116);
-  Limbs limbs;
-  for (int round = 0; round < 20; ++round) {
-    const auto palette_a = test::bend_limb(random, 5, 0.3, {});
-    const auto palette_b = test::bend_limb(random, 4, 0.3, random.point(round % 2 ? 1 : 5));
-    std::vector<Distance> answers;
-    std::vector<QueryStats> stats;
-    test::on_each_instruction_set([&](InstructionSet) {
-      ASSERT_TRUE(limbs.a.set_palette(palette_a) && limbs.b.set_palette(palette_b));
-      stats.push_back(distance(limbs.a, limbs.b, limbs.scratch, answers.emplace_back()));
-    });
-    for (const Distance& answer : answers) ASSERT_TRUE(same(answer, answers[0]));
-    for (const QueryStats& work : stats) {
-      EXPECT_EQ(work.node_pairs, stats[0].node_pairs);
-      EXPECT_EQ(work.triangle_pairs, stats[0].triangle_pairs);
-    }
-  }
-}
-
 TEST(Distance, HintsAndEarlierQueriesChangeNoAnswer) {
   Random random(117);
-  Limbs limbs;
+  LimbPair limbs;
   Distance last;
   std::uint64_t without = 0, with = 0;
   for (int round = 0; round < 40; ++round) {
@@ -232,23 +169,9 @@ TEST(Distance, HintsAndEarlierQueriesChangeNoAnswer) {
   EXPECT_LT(with, without);
 }
 
-TEST(Distance, SwappingTheBodiesSwapsTheWitnesses) {
-  Random random(118);
-  Limbs limbs;
-  int compared = 0;
-  for (int round = 0; round < 40; ++round) {
-    limbs.move(random, 2);
-    const Distance forward = distance_of(limbs.a, limbs.b, limbs.scratch);
-    const Distance backward = distance_of(limbs.b, limbs.a, limbs.scratch);
-    ASSERT_NEAR(forward.distance, backward.distance, 1e-13);
-    compared += forward.distance > 0;
-  }
-  EXPECT_GT(compared, 20);
-}
-
 TEST(Distance, WitnessesHaveTheDistance) {
   Random random(119);
-  Limbs limbs;
+  LimbPair limbs;
   int touching = 0;
   for (int round = 0; round < 60; ++round) {
     limbs.move(random, round % 2 ? 2 : 0.2);
@@ -267,7 +190,7 @@ TEST(Distance, WitnessesHaveTheDistance) {
 
 TEST(Distance, BeyondTheMaximumNothingIsFound) {
   Random random(120);
-  Limbs limbs;
+  LimbPair limbs;
   for (int round = 0; round < 30; ++round) {
     limbs.move(random, 3);
     const Distance exact = distance_of(limbs.a, limbs.b, limbs.scratch);
@@ -288,7 +211,7 @@ TEST(Distance, BeyondTheMaximumNothingIsFound) {
 
 TEST(Distance, ToleranceSavesWorkAndProvesALowerBound) {
   Random random(121);
-  Limbs limbs;
+  LimbPair limbs;
   std::uint64_t exact_work = 0, work = 0;
   for (int round = 0; round < 30; ++round) {
     const auto palette_a = test::bend_limb(random, 5, 0.3, {});
@@ -306,17 +229,72 @@ TEST(Distance, ToleranceSavesWorkAndProvesALowerBound) {
   EXPECT_LT(work, exact_work);
 }
 
-TEST(Distance, ToAMeshThatDoesNotMove) {
-  Shape ground = test::make_limb(12, 8, 1);
-  ground.joints.assign(ground.joints.size(), 0);
-  Pose still(*build_model(ground.view()));
-  Random random(122);
-  Limbs limbs;
-  for (int round = 0; round < 10; ++round) {
-    limbs.move(random, 1);
-    expect_equal(distance_of(limbs.b, still, limbs.scratch),
-                 brute_distance(limbs.triangles_b(), posed_triangles(ground.triangles, still)));
+std::vector<Contact> clearance_of(Pose& a, Pose& b, double tolerance, Scratch& scratch) {
+  std::vector<Contact> pairs;
+  clearance(a, b, tolerance, scratch, pairs);
+  return pairs;
+}
+
+TEST(Clearance, OfZeroIsCollide) {
+  Random random(142);
+  LimbPair limbs;
+  std::size_t seen = 0;
+  for (int round = 0; round < 50; ++round) {
+    limbs.move(random, 0.2);
+    std::vector<Contact> contacts;
+    collide(limbs.a, limbs.b, limbs.scratch, contacts);
+    ASSERT_EQ(clearance_of(limbs.a, limbs.b, 0, limbs.scratch), contacts);
+    seen += contacts.size();
   }
+  EXPECT_GT(seen, 200u);
+}
+
+TEST(Clearance, BeginsAtTheDistance) {
+  Random random(143);
+  LimbPair limbs;
+  int apart = 0;
+  for (int round = 0; round < 40; ++round) {
+    limbs.move(random, 2);
+    Distance closest;
+    distance(limbs.a, limbs.b, limbs.scratch, closest);
+    if (closest.distance == 0) continue;
+    ++apart;
+    const double less = std::nextafter(closest.distance, 0);
+    EXPECT_FALSE(is_within(limbs.a, limbs.b, less, limbs.scratch));
+    EXPECT_TRUE(is_within(limbs.a, limbs.b, closest.distance, limbs.scratch));
+    const auto pairs = clearance_of(limbs.a, limbs.b, closest.distance, limbs.scratch);
+    ASSERT_FALSE(pairs.empty());
+    EXPECT_EQ(pairs[0], (Contact{closest.a.triangle, closest.b.triangle}));
+  }
+  EXPECT_GT(apart, 20);
+}
+
+TEST(ClosestPoint, BeyondTheMaximumNothingIsFound) {
+  Random random(132);
+  LimbPair limbs;
+  limbs.move(random, 0);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 point = random.point(4);
+    ClosestPoint exact, closest;
+    closest_point(limbs.a, point, limbs.scratch, exact);
+    closest_point(limbs.a, point, limbs.scratch, closest, {.max_distance = exact.distance});
+    EXPECT_EQ(closest.distance, exact.distance);
+    EXPECT_EQ(closest.point.triangle, exact.point.triangle);
+    closest_point(limbs.a, point, limbs.scratch, closest,
+                  {.max_distance = std::nextafter(exact.distance, 0)});
+    EXPECT_FALSE(closest);
+  }
+}
+
+TEST(ClosestPoint, OpensFewNodes) {
+  const Shape limb = test::make_limb(200, 40, 5);
+  Pose pose(*build_model(limb.view()));
+  Scratch scratch;
+  ClosestPoint closest;
+  const QueryStats stats = closest_point(pose, {0.3f, 0.4f, 0}, scratch, closest);
+  EXPECT_TRUE(closest);
+  EXPECT_LT(stats.posed_vertices, limb.rest_positions.size() / 4);
+  EXPECT_LT(stats.triangle_pairs, 200u);
 }
 
 }  // namespace

@@ -60,7 +60,6 @@ TEST(FieldCast, EqualsBruteForce) {
       ++(expect_as_brute_force(field, ray, facing) ? hits : misses);
     }
   }
-  std::printf("hits %d, misses %d\n", hits, misses);
   EXPECT_GT(hits, 300);
   EXPECT_GT(misses, 300);
 }

@@ -1,16 +1,12 @@
 #include "fields.hpp"
-#include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
-
-#include <algorithm>
 
 namespace pelt {
 namespace {
 
 using test::make_hills;
 using test::make_plain;
-using test::Motion;
 using test::Random;
 using test::Shape;
 using test::Terrain;
@@ -35,48 +31,6 @@ std::size_t expect_as_brute_force(Pose& pose, const Shape& shape, const HeightFi
   EXPECT_EQ(contacts_of(pose, field, scratch), expected);
   EXPECT_EQ(intersects(pose, field, scratch).answer, !expected.empty());
   return expected.size();
-}
-
-/// Spacings from a fraction of the limb's triangles to its whole length.
-TEST(FieldCollide, EqualsBruteForceOnBendingLimbsOnEachTarget) {
-  test::on_each_instruction_set([](InstructionSet) {
-    Random random(700);
-    const Shape limb = test::make_limb(16, 8, 4);
-    Pose pose(*build_model(limb.view()));
-    Scratch scratch;
-    int touching = 0, apart = 0;
-    for (int round = 0; round < 100; ++round) {
-      const float spacing = random.uniformf(0.03, 0.4);
-      const std::uint32_t columns = 2 + random.index(20), rows = 2 + random.index(20);
-      const Vec3 origin = {-spacing * static_cast<float>(columns) / 2, 0.3f,
-                           -spacing * static_cast<float>(rows) / 2};
-      const HeightField field =
-          make_hills(random, columns, rows, origin, spacing, 0.5, round % 3 ? 0 : 0.1).build();
-      ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 4, 0.6, random.point(0.4))));
-      ++(expect_as_brute_force(pose, limb, field, scratch) > 0 ? touching : apart);
-    }
-    std::printf("touching %d, apart %d\n", touching, apart);
-    EXPECT_GT(touching, 20);
-    EXPECT_GT(apart, 5);
-  });
-}
-
-TEST(FieldCollide, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
-  Random random(701);
-  Scratch scratch;
-  std::size_t contacts = 0;
-  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial}) {
-      const Shape soup = test::make_soup(random, 150, 6, 4, weights);
-      Pose pose(*build_model(soup.view()));
-      ASSERT_TRUE(pose.set_palette(test::make_palette(random, 6, motion, 1)));
-      const Vec3 about = posed(pose)[0];
-      const HeightField field =
-          make_hills(random, 18, 21, {about.x - 2, about.y, about.z - 2}, 0.2f, 1, 0.02).build();
-      contacts += expect_as_brute_force(pose, soup, field, scratch);
-    }
-  std::printf("contacts %zu\n", contacts);
-  EXPECT_GT(contacts, 1000u);
 }
 
 /// A soup with vertices at vertices of the field, or on its edges, diagonals and planes.
@@ -117,7 +71,6 @@ TEST(FieldCollide, TouchingCountsOnFlatFieldsOnEachTarget) {
       Pose pose(*build_model(soup.view()));
       contacts += expect_as_brute_force(pose, soup, field, scratch);
     }
-    std::printf("contacts %zu\n", contacts);
     EXPECT_GT(contacts, 5000u);
   });
 }
@@ -147,25 +100,6 @@ TEST(FieldCollide, LargeTrianglesIntersectTheCellsUnderThem) {
   EXPECT_GT(expect_as_brute_force(pose, roof, field, scratch), 100u);
 }
 
-TEST(FieldCollide, StopsWhereItIsTold) {
-  Random random(705);
-  const Shape limb = test::make_limb(16, 8, 4);
-  Pose pose(*build_model(limb.view()));
-  ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 4, 0.3, {})));
-  Scratch scratch;
-  const HeightField field = make_plain(40, 40, {-4, 0.2f, -4}, 0.2f).build();
-  const auto all = contacts_of(pose, field, scratch);
-  ASSERT_GT(all.size(), 20u);
-  for (const std::uint32_t limit : {0u, 1u, 5u, 20u}) {
-    std::vector<Contact> contacts;
-    EXPECT_TRUE(collide(pose, field, scratch, contacts, {limit}).cut_short);
-    EXPECT_EQ(contacts.size(), limit);
-    EXPECT_TRUE(std::includes(all.begin(), all.end(), contacts.begin(), contacts.end()));
-  }
-  std::vector<Contact> contacts;
-  EXPECT_FALSE(collide(pose, field, scratch, contacts).cut_short);
-}
-
 /// With 4,096 x 4,096 vertices, the work equals that for a field that ends around the limb.
 TEST(FieldCollide, WorkDoesNotGrowWithTheField) {
   Random random(706);
@@ -185,32 +119,6 @@ TEST(FieldCollide, WorkDoesNotGrowWithTheField) {
   EXPECT_EQ(stats[0].node_pairs, stats[1].node_pairs);
   EXPECT_EQ(stats[0].posed_vertices, stats[1].posed_vertices);
   EXPECT_EQ(stats[0].triangle_pairs, stats[1].triangle_pairs);
-}
-
-TEST(FieldCollide, DoesNotAllocateOnceReserved) {
-  Random random(707);
-  const Shape limb = test::make_limb(40, 12, 5);
-  Pose pose(*build_model(limb.view()));
-  const HeightField field = make_hills(random, 60, 60, {-3, 0, -3}, 0.1f, 0.5, 0.01).build();
-  Scratch scratch;
-  std::vector<Contact> contacts;
-  constexpr std::size_t kRoom = 100'000;
-  pose.reserve();
-  scratch.reserve(kRoom);
-  contacts.reserve(kRoom);
-  std::size_t most = 0;
-  for (int round = 0; round < 50; ++round) {
-    const auto palette = test::bend_limb(random, 5, 0.5, random.point(0.3));
-    const std::size_t before = test::allocation_count();
-    ASSERT_TRUE(pose.set_palette(palette));
-    contacts.clear();
-    collide(pose, field, scratch, contacts);
-    EXPECT_EQ(intersects(pose, field, scratch).answer, !contacts.empty());
-    EXPECT_EQ(test::allocation_count(), before);
-    most = std::max(most, contacts.size());
-  }
-  EXPECT_GT(most, 50u);
-  EXPECT_LT(most, kRoom);
 }
 
 }  // namespace

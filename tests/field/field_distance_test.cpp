@@ -1,17 +1,15 @@
 #include "distance/brute_distance.hpp"
 #include "fields.hpp"
-#include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"
+#include "support/skinned_shapes.hpp"
 
 namespace pelt {
 namespace {
 
 using test::make_hills;
 using test::make_plain;
-using test::Motion;
 using test::Random;
 using test::Shape;
-using test::Weights;
 
 /// The existing triangles of a field, and their numbers.
 struct Existing {
@@ -92,29 +90,9 @@ TEST(FieldDistance, EqualsBruteForceOnBendingLimbsOnEachTarget) {
       ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 3, 0.6, random.point(0.7))));
       ++(asked.expect_as_brute_force(field) > 0 ? apart : touching);
     }
-    std::printf("touching %d, apart %d\n", touching, apart);
     EXPECT_GT(touching, 3);
     EXPECT_GT(apart, 10);
   });
-}
-
-TEST(FieldDistance, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
-  Random random(721);
-  int apart = 0;
-  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial}) {
-      const Shape soup = test::make_soup(random, 100, 6, 4, weights);
-      Pose pose(*build_model(soup.view()));
-      ASSERT_TRUE(pose.set_palette(test::make_palette(random, 6, motion, 1)));
-      Asked asked{soup, pose};
-      const Vec3 about = test::posed_triangles(soup.triangles, pose)[0][0];
-      for (const float below : {0.0f, 4.0f, 30.0f}) {
-        const Vec3 origin = {about.x - 2, about.y - below, about.z - 2};
-        apart += asked.expect_as_brute_force(
-                     make_hills(random, 14, 11, origin, 0.3f, 1, 0.02).build()) > 0;
-      }
-    }
-  EXPECT_GT(apart, 12);
 }
 
 /// All triangles of the ground have the same distance; the lowest numbers are returned.
@@ -150,27 +128,6 @@ TEST(FieldDistance, WorkDoesNotGrowWithTheField) {
     EXPECT_EQ(closest.distance, 0.5);
   }
   EXPECT_EQ(pairs[0], pairs[1]);
-}
-
-TEST(FieldDistance, DoesNotAllocateOnceReserved) {
-  Random random(722);
-  const Shape limb = test::make_limb(40, 12, 5);
-  Pose pose(*build_model(limb.view()));
-  const HeightField field = make_hills(random, 60, 60, {-3, -1, -3}, 0.1f, 0.5, 0.01).build();
-  Scratch scratch;
-  pose.reserve();
-  scratch.reserve(10'000);
-  int apart = 0;
-  for (int round = 0; round < 50; ++round) {
-    const auto palette = test::bend_limb(random, 5, 0.5, random.point(0.5));
-    Distance closest;
-    const std::size_t before = test::allocation_count();
-    ASSERT_TRUE(pose.set_palette(palette));
-    distance(pose, field, scratch, closest);
-    EXPECT_EQ(test::allocation_count(), before);
-    apart += closest.distance > 0;
-  }
-  EXPECT_GT(apart, 5);
 }
 
 }  // namespace

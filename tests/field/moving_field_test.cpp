@@ -2,28 +2,9 @@
 
 #include "collide/moving_bodies.hpp"
 #include "fields.hpp"
-#include "support/instruction_sets.hpp"
 
 namespace pelt::test {
 namespace {
-
-std::vector<MovingContact> brute_force(const Body& body, const HeightField& field) {
-  MovingStats work;
-  std::vector<MovingContact> contacts;
-  const auto triangles = body.triangles();
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    for (std::uint32_t k = 0; k < field.triangle_count(); ++k) {
-      const auto corners = field.triangle(k);
-      const detail::MovingTriangle still = {corners, corners};
-      if (is_hole(corners) || are_far(triangles[i], still)) continue;
-      if (const auto first = detail::find_first_meeting(triangles[i], still, work)) {
-        MovingContact contact{{i, k}, first->time, first->at_start, {}, {}};
-        if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
-        contacts.push_back(contact);
-      }
-    }
-  return contacts;
-}
 
 std::vector<MovingContact> contacts_of(Body& body, const HeightField& field,
                                        const MovingOptions& options = {}) {
@@ -51,23 +32,6 @@ struct Hike {
   HeightField field = make_plain(2, 2, {}, 1).build();
 };
 
-TEST(MovingField, EqualsTheExactTestOfAllPairs) {
-  Random random(1851);
-  std::size_t at_start = 0, later = 0;
-  int apart = 0;
-  for (int round = 0; round < 12; ++round) {
-    Hike hike(random);
-    const auto expected = brute_force(hike.limb, hike.field);
-    ASSERT_EQ(contacts_of(hike.limb, hike.field), expected) << "round " << round;
-    for (const MovingContact& c : expected) ++(c.at_start ? at_start : later);
-    apart += expected.empty();
-  }
-  std::printf("seed 1851: %zu contacts at the start, %zu later, %d steps without\n", at_start,
-              later, apart);
-  EXPECT_GT(at_start, 50u);
-  EXPECT_GT(later, 300u);
-}
-
 TEST(MovingField, HasTheOptionsOfTwoMotions) {
   Random random(1852);
   std::size_t all_count = 0;
@@ -90,19 +54,6 @@ TEST(MovingField, HasTheOptionsOfTwoMotions) {
   EXPECT_GT(all_count, 1000u);
   EXPECT_GT(touching, 10);
   EXPECT_GT(apart, 1);
-}
-
-TEST(MovingField, IsTheSameWithEveryInstructionSet) {
-  Random random(1853);
-  std::size_t found = 0;
-  for (int round = 0; round < 8; ++round) {
-    Hike hike(random);
-    const auto expected = contacts_of(hike.limb, hike.field);
-    found += expected.size();
-    on_each_instruction_set(
-        [&](InstructionSet) { EXPECT_EQ(contacts_of(hike.limb, hike.field), expected); });
-  }
-  EXPECT_GT(found, 300u);
 }
 
 /// A foot that goes through a thin bridge from one frame to the next.

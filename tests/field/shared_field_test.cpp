@@ -45,7 +45,6 @@ TEST_P(SharedFields, EqualBruteForce) {
     EXPECT_EQ(contacts, expected);
     hits += contacts.size();
   }
-  std::printf("contacts %zu\n", hits);
   EXPECT_GT(hits, 50u);
 }
 

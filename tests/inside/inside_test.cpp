@@ -2,9 +2,7 @@
 
 #include "base/vec3.hpp"
 #include "pose/pose.hpp"
-#include "support/allocation_count.hpp"
 #include "support/closed_body.hpp"
-#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/values.hpp"
 
@@ -12,54 +10,9 @@
 
 #include <array>
 #include <cmath>
-#include <iostream>
 
 namespace pelt::test {
 namespace {
-
-using detail::Vec3d;
-
-/// The winding number of the posed surface around a point, by the solid angles of its triangles
-/// (Van Oosterom & Strackee 1983), without rays and predicates.
-double winding_number(const Body& body, const std::vector<Vec3>& posed, const Vec3& point) {
-  double angle = 0;
-  for (const Triangle& t : body.shape.triangles) {
-    std::array<Vec3d, 3> to;
-    std::array<double, 3> length;
-    for (std::size_t i = 0; i < 3; ++i) {
-      to[i] = Vec3d(posed[t[i]]) - Vec3d(point);
-      length[i] = std::sqrt(squared_length(to[i]));
-    }
-    const double below = length[0] * length[1] * length[2] + dot(to[0], to[1]) * length[2] +
-                         dot(to[1], to[2]) * length[0] + dot(to[2], to[0]) * length[1];
-    angle += 2 * std::atan2(dot(to[0], cross(to[1], to[2])), below);
-  }
-  return angle / (4 * 3.14159265358979323846);
-}
-
-TEST(SideOf, IsWhereTheSurfaceWinds) {
-  Random random(11);
-  Body body(make_limb(20, 9, 4));
-  Scratch scratch;
-  int inside = 0, outside = 0;
-  for (int i = 0; i < 20; ++i) {
-    body.set(bend_limb(random, 4, 1.2, {0, 0, 0}));
-    const std::vector<Vec3> posed = body.posed();
-    for (int j = 0; j < 100; ++j) {
-      const Vec3 near = posed[random.index(static_cast<std::uint32_t>(posed.size()))];
-      const Vec3 off = random.point(0.1), point = {near.x + off.x, near.y + off.y, near.z + off.z};
-      const double winding = winding_number(body, posed, point);
-      if (std::abs(winding - std::round(winding)) > 1e-3) continue;  // too near for this method
-      const PointSide side = test::point_side(body.pose, point, scratch);
-      EXPECT_EQ(side == PointSide::inside, std::round(winding) != 0) << winding;
-      inside += side == PointSide::inside;
-      outside += side == PointSide::outside;
-    }
-  }
-  std::cout << inside << " inside, " << outside << " outside\n";
-  EXPECT_GT(inside, 200);
-  EXPECT_GT(outside, 200);
-}
 
 TEST(SideOf, FindsPointsOnTheSurface) {
   Body body(make_cube(1, {0, 0, 0}));
@@ -83,41 +36,6 @@ TEST(SideOf, IsExactForMirroredBodies) {
   EXPECT_EQ(test::point_side(body.pose, {1.5f, 0.25f, 0}, scratch), PointSide::outside);
 }
 
-/// Tests each vertex separately.
-Penetration deepest_by_brute_force(Body& a, Body& b) {
-  Penetration deepest;
-  Scratch scratch;
-  const std::vector<Vec3> posed = a.posed();
-  for (std::uint32_t v = 0; v < posed.size(); ++v) {
-    if (test::point_side(b.pose, posed[v], scratch) != PointSide::inside) continue;
-    ClosestPoint closest;
-    closest_point(b.pose, posed[v], scratch, closest);
-    if (closest.distance > deepest.depth) deepest = {v, posed[v], closest.point, closest.distance};
-  }
-  return deepest;
-}
-
-TEST(DeepestVertex, IsThatOfBruteForce) {
-  Random random(12);
-  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
-  Scratch scratch;
-  int hits = 0;
-  for (int i = 0; i < 40; ++i) {
-    a.set(bend_limb(random, 4, 0.6, {0, 0, 0}));
-    b.set(bend_limb(random, 4, 0.6, {0.09f, 0.05f, 0.06f}));
-    Penetration deepest;
-    deepest_vertex(a.pose, b.pose, scratch, deepest);
-    const Penetration expected = deepest_by_brute_force(a, b);
-    EXPECT_EQ(deepest.vertex, expected.vertex);
-    EXPECT_EQ(deepest.depth, expected.depth);
-    EXPECT_EQ(deepest.position, expected.position);
-    EXPECT_EQ(deepest.closest.triangle, expected.closest.triangle);
-    hits += bool(deepest);
-  }
-  std::cout << hits << " of 40 have a vertex inside\n";
-  EXPECT_GT(hits, 15);
-}
-
 double depth_of(const Shape& shape_a, const Shape& shape_b) {
   Body a(shape_a), b(shape_b);
   Scratch scratch;
@@ -139,29 +57,6 @@ TEST(DeepestVertex, IsNoneOfBodiesApartOrAround) {
   EXPECT_EQ(depth_of(small, make_cube(1, {5, 0, 0})), 0);
   EXPECT_EQ(depth_of(large, small), 0);
   EXPECT_NEAR(depth_of(small, large), 0.5, 1e-12);
-}
-
-TEST(DeepestVertex, IsTheSameOnEveryTargetAndAllocatesNothingTheSecondTime) {
-  Random random(13);
-  const auto palette_a = bend_limb(random, 4, 0.2, {0, 0, 0});
-  const auto palette_b = bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f});
-  Penetration first;
-  on_each_instruction_set([&](InstructionSet) {
-    Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
-    a.set(palette_a);
-    b.set(palette_b);
-    Scratch scratch;
-    Penetration deepest;
-    deepest_vertex(a.pose, b.pose, scratch, deepest);
-    ASSERT_TRUE(deepest);
-    const std::uint64_t before = allocation_count();
-    deepest_vertex(a.pose, b.pose, scratch, deepest);
-    EXPECT_EQ(allocation_count(), before);
-    if (!first) first = deepest;
-    EXPECT_EQ(deepest.vertex, first.vertex);
-    EXPECT_EQ(deepest.depth, first.depth);
-    EXPECT_EQ(deepest.closest.position, first.closest.position);
-  });
 }
 
 /// The number of vertices in all open nodes.

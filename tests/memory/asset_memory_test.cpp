@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -41,7 +40,6 @@ TEST_P(AssetMemory, EndsAnywhereAndNothingLeaks) {
         load, [&] { EXPECT_EQ(live_allocations(), before); }, GetParam());
     EXPECT_EQ(live_allocations(), before);
   }
-  std::printf("%zu allocations failed\n", failures);
   EXPECT_GT(failures, 500u);
 }
 

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -35,7 +34,6 @@ class SceneMemory : public testing::TestWithParam<bool> {
         operation, [&] { EXPECT_EQ(live_allocations(), before); }, GetParam());
     EXPECT_EQ(live_allocations(), before);
     EXPECT_GT(failures, 20u);
-    std::printf("%zu allocations failed\n", failures);
   }
 };
 

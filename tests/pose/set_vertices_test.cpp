@@ -1,18 +1,14 @@
-/// Poses with given vertices: every query answers as if joints had posed the vertices there.
+/// Poses with given vertices. That every query answers as if joints had posed the vertices there is
+/// part of its contract (query/query_contract_test.cpp).
 
 #include <pelt/pelt.hpp>
 
 #include "collide/contacts_of.hpp"
-#include "pose/every_query.hpp"
 #include "pose/pose.hpp"
-#include "support/allocation_count.hpp"
-#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pelt {
@@ -20,7 +16,6 @@ namespace {
 
 using test::Random;
 using test::Shape;
-using test::Stage;
 
 using Matrices = std::vector<Matrix4>;
 using Points = std::vector<Vec3>;
@@ -58,77 +53,6 @@ Points random_points(Random& random, std::size_t count, double size) {
   Points points(count);
   for (Vec3& p : points) p = random.point(size);
   return points;
-}
-
-/// Two limbs, or two soups, that cross each other while they move.
-Stage make_stage(Random& random, bool is_soup) {
-  const Shape shape = is_soup ? test::make_soup(random, 40, 5, 4, test::Weights::adversarial)
-                              : test::make_morphing_limb(20, 10, 5);
-  const SkinnedModel model = model_of(shape);
-  const auto make = [&] {
-    return skinned(model, is_soup ? test::make_palette(random, 5, test::Motion::affine, 0.5)
-                                  : test::bend_limb(random, 5, 0.5, random.point(0.15)));
-  };
-  return {make(), make(), make(), make()};
-}
-
-Stage given(const Stage& stage) {
-  const auto copy = [](const Pose& pose) { return given(pose.model(), posed(pose)); };
-  return {copy(stage.a_from), copy(stage.a), copy(stage.b_from), copy(stage.b)};
-}
-
-TEST(SetVertices, AnswersEveryQueryAsSkinning) {
-  Random random(110);
-  std::map<std::string, std::uint64_t> found;
-  for (int round = 0; round < 6; ++round) {
-    SCOPED_TRACE(round);
-    Stage stage = make_stage(random, round % 3 == 2);
-    Scratch scratch;
-    const test::Answers expected = test::ask_every_query(stage, scratch);
-    test::on_each_instruction_set([&](InstructionSet) {
-      Stage fresh = given(stage);
-      const test::Answers answers = test::ask_every_query(fresh, scratch);
-      for (const auto& [query, hash] : expected.hashes)
-        EXPECT_EQ(answers.hashes.at(query), hash) << query;
-      EXPECT_EQ(check_bounds(fresh.a), "");
-    });
-    for (const auto& [query, count] : expected.found) found[query] += count;
-  }
-  for (const auto& [query, count] : found) {
-    EXPECT_GT(count, 0u) << query;
-  }
-  EXPECT_GT(found.size(), 15u);
-}
-
-TEST(SetVertices, HalfOfAPairMayBeSkinned) {
-  Random random(111);
-  Scratch scratch;
-  for (int round = 0; round < 4; ++round) {
-    Stage stage = make_stage(random, false);
-    const test::Answers expected = test::ask_every_query(stage, scratch);
-    stage.a_from = given(stage.a_from.model(), posed(stage.a_from));
-    stage.b = given(stage.b.model(), posed(stage.b));
-    EXPECT_EQ(test::ask_every_query(stage, scratch).hashes, expected.hashes);
-  }
-}
-
-TEST(SetVertices, FindsTheContactsOfBruteForce) {
-  Random random(112);
-  std::size_t contacts = 0;
-  for (int round = 0; round < 20; ++round) {
-    const Shape shape = test::make_soup(random, 100, 3, 2, test::Weights::random);
-    const SkinnedModel model = *build_model(shape.view(), {.weld = round % 2 == 0});
-    Pose a = given(model, random_points(random, shape.rest_positions.size(), 1));
-    Pose b = given(model, random_points(random, shape.rest_positions.size(), 1));
-    const std::vector<Contact> expected = test::brute_force(shape, a, shape, b);
-    test::on_each_instruction_set([&](InstructionSet) {
-      Scratch scratch;
-      EXPECT_EQ(test::contacts_of(a, b, scratch), expected);
-    });
-    EXPECT_EQ(check_bounds(a), "");
-    contacts += expected.size();
-  }
-  EXPECT_GT(contacts, 1000u);
 }
 
 TEST(SetVertices, PosedVerticesAreTheGivenOnes) {
@@ -265,27 +189,6 @@ TEST(SetVertices, VerticesThatAreNotMergedMoveApart) {
     Box box;
     exact_group_bounds(pose, *groups, 1, box);
     EXPECT_EQ(box.low, Vec3({0, 0, 1}));
-  }
-}
-
-TEST(SetVertices, AllocatesNothingInAReservedPose) {
-  Random random(118);
-  const Shape shape = test::make_soup(random, 200, 5, 4, test::Weights::random);
-  const SkinnedModel model = model_of(shape);
-  Pose a(model), b(model);
-  Scratch scratch;
-  std::vector<Contact> contacts;
-  contacts.reserve(1 << 16);
-  a.reserve(), b.reserve(), scratch.reserve(1 << 16);
-  for (int frame = 0; frame < 4; ++frame) {
-    const Points points = random_points(random, shape.rest_positions.size(), 1);
-    const std::size_t before = test::allocation_count();
-    ASSERT_TRUE(a.set_vertices(points));
-    ASSERT_TRUE(b.set_vertices(points));
-    contacts.clear();
-    collide(a, b, scratch, contacts);
-    EXPECT_EQ(test::allocation_count(), before);
-    EXPECT_GT(contacts.size(), 100u);
   }
 }
 

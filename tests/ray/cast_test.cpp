@@ -2,7 +2,6 @@
 
 #include "ray_cases.hpp"
 #include "ray_oracle.hpp"
-#include "support/allocation_count.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/values.hpp"
@@ -41,7 +40,6 @@ struct HitCounts {
 
   void add(std::size_t hits) { ++(hits == 0 ? none : hits == 1 ? one : several); }
   void expect_each_at_least(int count) const {
-    std::printf("%d rays hit none, %d one, %d several\n", none, one, several);
     EXPECT_GE(none, count);
     EXPECT_GE(one, count);
     EXPECT_GE(several, count);
@@ -64,54 +62,6 @@ TEST(Cast, FindsWhatALimbHas) {
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0], first);
   EXPECT_EQ(test::first_hit(limb.pose, through, Facing::back), all[1]);
-}
-
-TEST(Cast, EqualsBruteForceOnMorphedLimbs) {
-  Random random(99);
-  on_each_instruction_set([&](InstructionSet) {
-    Scratch scratch;
-    HitCounts counts;
-    for (int round = 0; round < 10; ++round) {
-      Posed limb(make_morphing_limb(24, 10, 5), bend_limb(random, 5, 0.4, {}));
-      const RayCases cases = limb.cases();
-      for (int i = 0; i < 100; ++i)
-        counts.add(expect_as_oracle(limb.pose, limb.oracle, cases.next(random), scratch,
-                                    kFacings[random.index(3)]));
-    }
-    counts.expect_each_at_least(50);
-  });
-}
-
-TEST(Cast, EqualsBruteForceOnBendingLimbs) {
-  Random random(90);
-  on_each_instruction_set([&](InstructionSet) {
-    Scratch scratch;
-    HitCounts counts;
-    for (int round = 0; round < 40; ++round) {
-      Posed limb(make_limb(24, 10, 5), bend_limb(random, 5, random.uniform(-0.6, 0.6), {}));
-      const RayCases cases = limb.cases();
-      for (int i = 0; i < 100; ++i)
-        counts.add(expect_as_oracle(limb.pose, limb.oracle, cases.next(random), scratch,
-                                    kFacings[random.index(3)]));
-    }
-    counts.expect_each_at_least(300);
-  });
-}
-
-TEST(Cast, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
-  Random random(91);
-  Scratch scratch;
-  HitCounts counts;
-  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})
-      for (int round = 0; round < 4; ++round) {
-        Posed soup(make_soup(random, 300, 6, 4, weights), make_palette(random, 6, motion, 1));
-        const RayCases cases = soup.cases();
-        for (int i = 0; i < 100; ++i)
-          counts.add(expect_as_oracle(soup.pose, soup.oracle, cases.next(random), scratch,
-                                      kFacings[random.index(3)]));
-      }
-  counts.expect_each_at_least(100);
 }
 
 /// Joints that make a mesh tiny or huge, and rays of any length from near and far.
@@ -243,30 +193,6 @@ TEST(Cast, OpensAllWhenManyRaysNeedMuch) {
   Scratch scratch;
   for (std::size_t i = 0; i < 200; ++i)
     expect_as_oracle(limb.pose, limb.oracle, everywhere[i], scratch);
-}
-
-TEST(Cast, AllocatesNothingOnceAllIsReserved) {
-  on_each_instruction_set([](InstructionSet) {
-    Random random(96);
-    Posed limb(make_limb(60, 20, 5), bend_limb(random, 5, 0.4, {}));
-    Scratch scratch;
-    std::vector<RayHit> hits(500), all;
-    auto any = std::make_unique<bool[]>(500);
-    std::vector<Ray> rays;
-    for (int i = 0; i < 500; ++i) rays.push_back(limb.cases().next(random));
-    const std::vector<Matrix4> palette = bend_limb(random, 5, 0.4, {});
-    limb.pose.reserve();
-    scratch.reserve(1, 100);
-    all.reserve(500 * 100);
-    const std::size_t before = allocation_count();
-    ASSERT_TRUE(limb.pose.set_palette(palette));
-    QueryStats work = cast(limb.pose, rays, hits);
-    work += cast_any(limb.pose, rays, std::span(any.get(), 500));
-    for (const Ray& ray : rays) work += cast_all(limb.pose, ray, scratch, all);
-    EXPECT_EQ(allocation_count(), before);
-    EXPECT_GT(all.size(), 200u);
-    EXPECT_GT(work.refits, 100u);
-  });
 }
 
 TEST(Cast, BlendsTheJointsOfAHit) {

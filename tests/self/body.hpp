@@ -8,8 +8,10 @@ namespace pelt::test {
 
 /// A pose and its filter.
 struct Body {
-  explicit Body(const Shape& s, const SelfFilterOptions& options = {})
-      : shape(s), pose(*build_model(s.view())), filter(*build_self_filter(pose.model(), options)) {}
+  explicit Body(const Shape& s, const SelfFilterOptions& options = {}, const ModelOptions& how = {})
+      : shape(s),
+        pose(*build_model(s.view(), how)),
+        filter(*build_self_filter(pose.model(), options)) {}
 
   Shape shape;
   Pose pose;

@@ -292,8 +292,6 @@ TEST_P(FlatFans, HaveNoContact) {
           check(run, fan, count, placement);
           fan += count;
         }
-  std::printf("certified %.3f, touching %.3f, apart %.3f\n", certified_ / ordinary_,
-              touching_ / fans_tested_, apart_ / pairs_);
   EXPECT_GE(certified_ / ordinary_, GetParam().least_certified);
   EXPECT_GE(touching_ / fans_tested_, GetParam().least_touching);
   EXPECT_GE(apart_ / pairs_, GetParam().least_apart);

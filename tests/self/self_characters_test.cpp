@@ -105,8 +105,6 @@ TEST_P(SelfCollideOfModels, EqualsBruteForce) {
       actor.track();
       contacts += actor.check();
     }
-  std::printf("%zu contacts, %zu bytes per triangle\n", contacts,
-              actor.filter.memory_bytes() / asset->triangles.size());
   EXPECT_GE(contacts, GetParam().least_all);
 }
 

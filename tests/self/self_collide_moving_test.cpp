@@ -6,13 +6,10 @@
 #include "self/self_brute_force.hpp"
 #include "self/surface_shapes.hpp"
 #include "self_moving_brute_force.hpp"
-#include "support/allocation_count.hpp"
-#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace pelt::test {
 namespace {
@@ -56,22 +53,6 @@ struct FoldingLimb : SelfBody {
   }
 };
 
-TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsOnFoldingLimbs) {
-  Random random(1841);
-  FoldingLimb limb;
-  std::size_t contacts = 0, later = 0;
-  for (int round = 0; round < 8; ++round) {
-    limb.fold(random);
-    const auto expected = all_pairs_of(limb);
-    ASSERT_EQ(limb.contacts(), expected) << "round " << round;
-    contacts += expected.size();
-    for (const MovingContact& c : expected) later += !c.at_start;
-  }
-  std::printf("seed 1841: %zu contacts, %zu not at the start\n", contacts, later);
-  EXPECT_GT(contacts, 1000u);
-  EXPECT_GT(later, 500u);
-}
-
 /// Vertices on a small grid: neighbours of every kind, cracks, collapsed triangles.
 TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsOnGridSoups) {
   Random random(1842);
@@ -85,40 +66,8 @@ TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsOnGridSoups) {
     contacts += expected.size();
     cracked += joints == 2 ? expected.size() : 0;
   }
-  std::printf("seed 1842: %zu contacts, %zu of cracked surfaces\n", contacts, cracked);
   EXPECT_GT(contacts, 200u);
   EXPECT_GT(cracked, 50u);
-}
-
-/// A limb with split corners: vertices with equal influences that only the caller moves apart.
-TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsWhereVerticesAreNotWelded) {
-  Random random(1869);
-  Shape shape = make_limb(6, 6, 2);
-  split_corners(random, shape, 0.1, 0);
-  SelfBody limb(shape, {}, {.weld = false});
-  for (Pose* const pose : {&limb.from, &limb.to}) {
-    std::vector<Vec3> positions = shape.rest_positions;
-    for (Vec3& p : positions)
-      if (random.chance(0.3)) p.x += random.uniformf(-1, 1);
-    ASSERT_TRUE(pose->set_vertices(positions));
-  }
-  const auto expected = all_pairs_of(limb);
-  EXPECT_EQ(limb.contacts(), expected);
-  std::printf("seed 1869: %zu contacts\n", expected.size());
-  EXPECT_GT(expected.size(), 100u);
-}
-
-TEST(SelfCollideMoving, IsTheSameWithEveryInstructionSet) {
-  Random random(1843);
-  FoldingLimb limb;
-  std::size_t contacts = 0;
-  for (int round = 0; round < 10; ++round) {
-    limb.fold(random);
-    const auto expected = limb.contacts();
-    on_each_instruction_set([&](InstructionSet) { EXPECT_EQ(limb.contacts(), expected); });
-    contacts += expected.size();
-  }
-  EXPECT_GT(contacts, 500u);
 }
 
 TEST(SelfCollideMoving, ContainsTheContactsOfBothEnds) {
@@ -197,19 +146,6 @@ TEST(SelfCollideMoving, TestsFewPairsExactly) {
               static_cast<unsigned long long>(work.double_pairs),
               static_cast<unsigned long long>(work.exact_pairs), contacts);
   EXPECT_LT(work.exact_pairs, contacts / 2);
-}
-
-TEST(SelfCollideMoving, AllocatesNothingWhenWarm) {
-  Random random(1848);
-  FoldingLimb limb;
-  limb.fold(random);
-  std::vector<MovingContact> found;
-  self_collide(limb.step(), limb.filter, limb.scratch, found);
-  ASSERT_FALSE(found.empty());
-  found.clear();
-  const std::size_t before = allocation_count();
-  self_collide(limb.step(), limb.filter, limb.scratch, found);
-  EXPECT_EQ(allocation_count(), before);
 }
 
 TEST(SelfCollideMovingDeathTest, AFilterOfAnotherModelAborts) {

@@ -2,83 +2,15 @@
 
 #include "body.hpp"
 #include "support/allocation_count.hpp"
-#include "support/instruction_sets.hpp"
 #include "support/pinned_shapes.hpp"
 #include "surface_shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace pelt::test {
 namespace {
-
-/// Bends a limb until it folds onto itself.
-void fold(Random& random, Body& body) {
-  ASSERT_TRUE(body.pose.set_palette(
-      bend_limb(random, body.shape.joint_count, random.uniform(0.2, 1.6), {})));
-}
-
-TEST(SelfCollide, EqualsBruteForceOnFoldedLimbs) {
-  on_each_instruction_set([](InstructionSet) {
-    Random random(900);
-    Body body(make_limb(30, 9, 6));
-    int touching = 0, apart = 0;
-    for (int round = 0; round < 40; ++round) {
-      fold(random, body);
-      const auto expected = brute_force_self(body.shape, body.pose);
-      ASSERT_EQ(self_contacts_of(body.pose, body.filter, body.scratch), expected)
-          << "round " << round;
-      ASSERT_EQ(self_intersects(body.pose, body.filter, body.scratch).answer, !expected.empty());
-      ++(expected.empty() ? apart : touching);
-    }
-    EXPECT_GT(touching, 10);
-    EXPECT_GT(apart, 1);
-  });
-}
-
-TEST(SelfCollide, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
-  on_each_instruction_set([](InstructionSet) {
-    Random random(901);
-    std::size_t contacts = 0;
-    for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-      for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial})
-        for (const std::uint32_t influences : {1u, 4u}) {
-          Body body(make_soup(random, 150, 6, influences, weights));
-          ASSERT_TRUE(body.pose.set_palette(make_palette(random, 6, motion, 1)));
-          const auto expected = brute_force_self(body.shape, body.pose);
-          ASSERT_EQ(self_contacts_of(body.pose, body.filter, body.scratch), expected);
-          contacts += expected.size();
-        }
-    EXPECT_GT(contacts, 10'000u);
-  });
-}
-
-/// Surfaces of neighbours with vertices anywhere on a small grid: folds by a half turn, duplicates,
-/// collapsed fans, T-joints.
-TEST(SelfCollide, EqualsBruteForceWherePosedVerticesCoincide) {
-  const std::pair<std::uint32_t, std::vector<Triangle>> surfaces[] = {
-      {4, tetrahedron()}, {6, octahedron()}, {35, torus(7, 5)}};
-  Random random(902);
-  std::size_t contacts = 0, pairs = 0;
-  for (int round = 0; round < 300; ++round) {
-    const auto& [vertex_count, triangles] = surfaces[round % 3];
-    Body body(make_pinned(vertex_count, triangles));
-    const std::uint32_t size = 2 + random.index(5);
-    std::vector<Vec3> positions(vertex_count);
-    for (Vec3& p : positions)
-      p = {static_cast<float>(random.index(size)), static_cast<float>(random.index(size)),
-           static_cast<float>(random.index(3))};
-    ASSERT_TRUE(body.pose.set_palette(pin(positions)));
-    const auto expected = brute_force_self(body.shape, body.pose);
-    ASSERT_EQ(self_contacts_of(body.pose, body.filter, body.scratch), expected);
-    contacts += expected.size();
-    pairs += triangles.size() * (triangles.size() - 1) / 2;
-  }
-  EXPECT_GT(contacts, pairs / 10);
-  EXPECT_LT(contacts, pairs * 9 / 10);
-}
 
 TEST(SelfCollide, AllTrianglesShareOneVertex) {
   Random random(903);
@@ -127,60 +59,6 @@ TEST(SelfCollide, EdgesWithZerosOfBothSignsAreShared) {
   EXPECT_EQ(self_contacts_of(across.pose, across.filter, across.scratch).size(), 1u);
 }
 
-/// A limb whose corners are split into vertices with equal influences, some of which move apart.
-struct SplitLimb {
-  explicit SplitLimb(Random& random) : shape(make_limb(6, 6, 2)) {
-    split_corners(random, shape, 0.1, 0);
-    for (const Vec3& rest : shape.rest_positions) {
-      const auto coordinate = [&] { return static_cast<float>(random.index(4)); };
-      const bool moves = random.chance(0.5);
-      positions.push_back(moves ? Vec3{coordinate(), coordinate(), coordinate()} : rest);
-    }
-  }
-
-  Shape shape;
-  std::vector<Vec3> positions;
-};
-
-/// Returns the number of contacts.
-std::size_t expect_brute_force(const Shape& shape, Pose& pose) {
-  const auto expected = brute_force_self(shape, pose);
-  Scratch scratch;
-  EXPECT_EQ(self_contacts_of(pose, *build_self_filter(pose.model()), scratch), expected);
-  return expected.size();
-}
-
-TEST(SelfCollide, EqualsBruteForceWhereVerticesThatAreNotWeldedMoveApart) {
-  Random random(906);
-  std::size_t contacts = 0, apart = 0;
-  for (int round = 0; round < 60; ++round) {
-    const SplitLimb limb(random);
-    apart += !Pose(*build_model(limb.shape.view())).set_vertices(limb.positions);
-    Pose pose(*build_model(limb.shape.view(), {.weld = false}));
-    ASSERT_TRUE(pose.set_vertices(limb.positions));
-    contacts += expect_brute_force(limb.shape, pose);
-  }
-  std::printf("seed 906: %zu contacts, %zu limbs that do not fit welded models\n", contacts, apart);
-  EXPECT_GT(contacts, 1000u);
-  EXPECT_GT(apart, 50u);
-}
-
-TEST(SelfCollide, EqualsBruteForceWhereOffsetsMoveVerticesApart) {
-  Random random(907);
-  std::size_t contacts = 0;
-  for (int round = 0; round < 60; ++round) {
-    const SplitLimb limb(random);
-    const std::vector<float> caps(limb.positions.size(), 4);
-    SkinnedMeshView view = limb.shape.view();
-    view.offset_caps = caps;
-    Pose pose(*build_model(view));
-    ASSERT_TRUE(pose.set_offsets(limb.positions));
-    contacts += expect_brute_force(limb.shape, pose);
-  }
-  std::printf("seed 907: %zu contacts\n", contacts);
-  EXPECT_GT(contacts, 1000u);
-}
-
 /// Bodies with contacts of neighbours and of others, some of which a filter leaves out.
 template <typename Test>
 void on_touching_bodies(std::uint64_t seed, const Test& test) {
@@ -206,32 +84,6 @@ void on_touching_bodies(std::uint64_t seed, const Test& test) {
   }
 }
 
-TEST(SelfCollide, StopsAtTheLimitWithPairsOfTheFullAnswer) {
-  on_each_instruction_set([](InstructionSet) {
-    on_touching_bodies(904, [](Body& body) {
-      const auto all = self_contacts_of(body.pose, body.filter, body.scratch);
-      const auto count = static_cast<std::uint32_t>(all.size());
-      ASSERT_GT(count, 10u);
-      for (const std::uint32_t limit : {0u, 1u, 2u, 7u, 8u, 9u, count / 2, count - 1, count}) {
-        std::vector<Contact> found;
-        const SelfStats stats =
-            self_collide(body.pose, body.filter, body.scratch, found, {.max_contacts = limit});
-        EXPECT_EQ(found.size(), limit);
-        EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-        EXPECT_TRUE(std::includes(all.begin(), all.end(), found.begin(), found.end()));
-        EXPECT_TRUE(stats.cut_short || limit == count) << limit << " of " << count;
-      }
-      for (const std::uint32_t limit : {count + 1, UINT32_MAX}) {
-        std::vector<Contact> found;
-        const SelfStats stats =
-            self_collide(body.pose, body.filter, body.scratch, found, {.max_contacts = limit});
-        EXPECT_FALSE(stats.cut_short);
-        EXPECT_EQ(found, all);
-      }
-    });
-  });
-}
-
 TEST(SelfCollide, TheFirstContactCostsLess) {
   on_touching_bodies(905, [](Body& body) {
     std::vector<Contact> all;
@@ -240,22 +92,6 @@ TEST(SelfCollide, TheFirstContactCostsLess) {
     EXPECT_TRUE(first);
     EXPECT_FALSE(first.cut_short);
     EXPECT_LT(first.triangle_pairs, stats.triangle_pairs / 2);
-  });
-}
-
-TEST(SelfCollide, AppendsAscendingContacts) {
-  on_touching_bodies(906, [](Body& body) {
-    const auto all = self_contacts_of(body.pose, body.filter, body.scratch);
-    const Contact before[] = {{7, 3}, {9, 9}};
-    std::vector<Contact> contacts(std::begin(before), std::end(before));
-    self_collide(body.pose, body.filter, body.scratch, contacts);
-    ASSERT_EQ(contacts.size(), all.size() + 2);
-    EXPECT_TRUE(std::equal(std::begin(before), std::end(before), contacts.begin()));
-    EXPECT_TRUE(std::equal(all.begin(), all.end(), contacts.begin() + 2));
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      EXPECT_LT(all[i].triangle_a, all[i].triangle_b);
-      EXPECT_TRUE(i == 0 || all[i - 1] < all[i]);
-    }
   });
 }
 
@@ -274,34 +110,6 @@ TEST(SelfCollide, CountsItsWork) {
     const SelfStats warm = self_collide(body.pose, body.filter, body.scratch, contacts);
     EXPECT_EQ(work_of(warm), work_of(cold));
     EXPECT_EQ(warm.posed_vertices, 0u);
-  });
-}
-
-/// The answer does not depend on the nodes that other queries have opened.
-TEST(SelfCollide, GivesTheSameAnswerAfterOtherQueries) {
-  on_touching_bodies(908, [](Body& body) {
-    const auto expected = self_contacts_of(body.pose, body.filter, body.scratch);
-    Pose fresh(body.pose.model()), other(body.pose.model());
-    Random random(9080);
-    const auto palette = make_palette(random, 6, Motion::rigid, 0.5);
-    for (Pose* pose : {&body.pose, &fresh, &other}) ASSERT_TRUE(pose->set_palette(palette));
-    std::vector<Contact> ignored;
-    collide(body.pose, other, body.scratch, ignored);
-    EXPECT_EQ(self_contacts_of(body.pose, body.filter, body.scratch),
-              self_contacts_of(fresh, body.filter, body.scratch));
-    EXPECT_FALSE(expected.empty());
-  });
-}
-
-TEST(SelfCollide, AllocatesNothingWhenWarm) {
-  on_touching_bodies(909, [](Body& body) {
-    std::vector<Contact> contacts;
-    self_collide(body.pose, body.filter, body.scratch, contacts);
-    contacts.clear();
-    const std::size_t before = allocation_count();
-    self_collide(body.pose, body.filter, body.scratch, contacts);
-    EXPECT_TRUE(self_intersects(body.pose, body.filter, body.scratch));
-    EXPECT_EQ(allocation_count(), before);
   });
 }
 

@@ -2,7 +2,7 @@
 
 /// The contacts of a moving character with itself, by a test of all pairs.
 
-#include "collide/moving_bodies.hpp"
+#include "collide/moving_brute_force.hpp"
 #include "self/moving_neighbours.hpp"
 
 #include <algorithm>
@@ -30,17 +30,13 @@ inline bool share_vertex(const std::array<std::uint32_t, 3>& a,
 
 /// `with_filter`: uses the filter in double for neighbours, which tests/self compares with the
 /// exact test.
-inline std::vector<MovingContact> brute_force_self_moving(
-    const std::vector<detail::MovingTriangle>& triangles, const SurfaceCornersOfAll& corners,
-    bool with_filter = false) {
+inline std::vector<MovingContact> brute_force_self_moving(const MovingTriangles& triangles,
+                                                          const SurfaceCornersOfAll& corners,
+                                                          bool with_filter = false) {
   std::vector<MovingContact> contacts;
-  MovingStats work;
   const auto add = [&](std::uint32_t s, std::uint32_t t,
                        const std::optional<detail::FirstMeeting>& first) {
-    if (!first) return;
-    MovingContact contact{{s, t}, first->time, first->at_start, {}, {}};
-    if (!first->at_start) contact.a = feature(first->a), contact.b = feature(first->b);
-    contacts.push_back(contact);
+    if (first) contacts.push_back(contact_of(s, t, *first));
   };
   for (std::uint32_t s = 0; s < triangles.size(); ++s)
     for (std::uint32_t t = s + 1; t < triangles.size(); ++t) {
@@ -48,7 +44,7 @@ inline std::vector<MovingContact> brute_force_self_moving(
       const detail::MovingSurfaceTriangle a = {triangles[s], corners[s]};
       const detail::MovingSurfaceTriangle b = {triangles[t], corners[t]};
       if (!share_vertex(corners[s], corners[t]))
-        add(s, t, detail::find_first_meeting(triangles[s], triangles[t], work));
+        add(s, t, first_meeting_of(triangles[s], triangles[t]));
       else if (!with_filter || !detail::certainly_apart(a, b))
         add(s, t, detail::first_meeting_of_neighbours(a, b));
     }

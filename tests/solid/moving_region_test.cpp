@@ -119,8 +119,6 @@ struct Counts {
   }
 
   void expect_many(int cases) const {
-    std::printf("%d at the start, %d later, %d never; in double: %d, %d times\n", at_start, later,
-                never, certain, certain_times);
     EXPECT_GT(at_start, cases / 50);
     EXPECT_GT(later, cases / 25);
     EXPECT_GT(never, cases / 25);

@@ -4,29 +4,11 @@
 #include "solid/moving_region.hpp"
 #include "solid/prepared_region.hpp"
 #include "solid/random_regions.hpp"
-#include "support/allocation_count.hpp"
-#include "support/instruction_sets.hpp"
 
 #include <pelt/solid.hpp>
 
 namespace pelt::test {
 namespace {
-
-std::optional<detail::FirstTouch> first_touch(const detail::PreparedRegion& region,
-                                              const detail::MovingTriangle& triangle) {
-  if (region.is_capsule) return detail::first_touch(triangle, region.capsule.capsule);
-  return detail::first_touch(triangle, std::span(region.faces.exact, region.faces.count));
-}
-
-std::vector<RegionEntry> brute_force(const Body& body, const Region& region) {
-  const detail::PreparedRegion prepared(region);
-  std::vector<RegionEntry> entries;
-  const auto triangles = body.triangles();
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    if (const auto touch = first_touch(prepared, triangles[i]))
-      entries.push_back({i, touch->time, touch->at_start});
-  return entries;
-}
 
 std::vector<RegionEntry> entries_of(Body& body, const Region& region,
                                     const MovingOptions& options = {}) {
@@ -71,38 +53,6 @@ struct Walk {
   std::vector<Matrix4> first, last;
   Region region;
 };
-
-TEST(MovingSolid, EqualsTheExactTestOfAllTriangles) {
-  Random random(1871);
-  std::size_t at_start = 0, later = 0, between = 0;
-  int apart = 0;
-  for (int round = 0; round < 120; ++round) {
-    Walk walk(random);
-    const auto expected = brute_force(walk.limb, walk.region);
-    const auto entries = entries_of(walk.limb, walk.region);
-    ASSERT_EQ(entries, expected) << "round " << round << ", kind " << walk.region.index();
-    const auto all = triangles_of(entries), at_end = triangles_at(walk.limb.to, walk.region);
-    std::vector<std::uint32_t> first;
-    for (const RegionEntry& entry : entries)
-      if (entry.at_start) first.push_back(entry.triangle);
-    ASSERT_EQ(first, triangles_at(walk.limb.from, walk.region));
-    ASSERT_TRUE(contains(all, at_end));
-    at_start += first.size();
-    later += entries.size() - first.size();
-    for (const RegionEntry& entry : entries)
-      between +=
-          !entry.at_start && !std::binary_search(at_end.begin(), at_end.end(), entry.triangle);
-    apart += entries.empty();
-  }
-  std::printf(
-      "seed 1871: %zu entries at the start, %zu later, of which %zu not at the end, %d steps "
-      "without\n",
-      at_start, later, between, apart);
-  EXPECT_GT(at_start, 500u);
-  EXPECT_GT(later, 500u);
-  EXPECT_GT(between, 50u);
-  EXPECT_GT(apart, 5);
-}
 
 TEST(MovingSolid, HasTheOptionsOfTwoMotions) {
   Random random(1872);
@@ -163,57 +113,6 @@ TEST(MovingSolid, OfAStillCharacterIsCollide) {
     found += entries.size();
   }
   EXPECT_GT(found, 500u);
-}
-
-TEST(MovingSolid, IsTheSameWithEveryInstructionSet) {
-  Random random(1875);
-  std::size_t found = 0;
-  for (int round = 0; round < 40; ++round) {
-    Walk walk(random);
-    const auto expected = entries_of(walk.limb, walk.region);
-    found += expected.size();
-    std::vector<MovingStats> work;
-    on_each_instruction_set([&](InstructionSet) {
-      walk.limb.move(walk.first, walk.last);
-      Scratch scratch;
-      std::vector<RegionEntry> entries;
-      work.push_back(collide(walk.limb.step(), walk.region, scratch, entries));
-      EXPECT_EQ(entries, expected);
-    });
-    for (const MovingStats& other : work) {
-      EXPECT_EQ(other.node_pairs, work[0].node_pairs);
-      EXPECT_EQ(other.posed_vertices, work[0].posed_vertices);
-      EXPECT_EQ(other.triangle_pairs, work[0].triangle_pairs);
-      EXPECT_EQ(other.double_pairs, work[0].double_pairs);
-      EXPECT_EQ(other.exact_pairs, work[0].exact_pairs);
-    }
-  }
-  EXPECT_GT(found, 500u);
-}
-
-TEST(MovingSolid, DoesNotAllocateOnceReserved) {
-  Random random(1876);
-  std::size_t found = 0;
-  Walk first(random);
-  Body& limb = first.limb;
-  const auto count = static_cast<std::uint32_t>(limb.shape.triangles.size());
-  Scratch scratch;
-  std::vector<RegionEntry> entries;
-  limb.from.reserve();
-  limb.to.reserve();
-  scratch.reserve(count);
-  entries.reserve(count);
-  for (int round = 0; round < 40; ++round) {
-    const Walk other(random);
-    limb.move(other.first, other.last);
-    entries.clear();
-    const std::size_t before = allocation_count();
-    collide(limb.step(), other.region, scratch, entries);
-    EXPECT_EQ(intersects(limb.step(), other.region, scratch).answer, !entries.empty());
-    EXPECT_EQ(allocation_count(), before);
-    found += entries.size();
-  }
-  EXPECT_GT(found, count);
 }
 
 std::vector<Matrix4> at_height(float y) {

@@ -1,9 +1,10 @@
 #pragma once
 
-/// Tests all posed triangles against a region, one by one.
+/// Tests all posed or moving triangles against a region, one by one.
 
 #include <pelt/solid.hpp>
 
+#include "solid/moving_region.hpp"
 #include "solid/prepared_region.hpp"
 
 #include <span>
@@ -28,6 +29,20 @@ inline TrianglesInRegion brute_force(const Region& region, std::span<const Trian
     if (place == detail::TrianglePlace::inside) found.inside.push_back(t);
   }
   return found;
+}
+
+/// The triangles that touch the region while they move.
+inline std::vector<RegionEntry> brute_force_moving(
+    const Region& region, std::span<const detail::MovingTriangle> triangles) {
+  const detail::PreparedRegion prepared(region);
+  const std::span faces(prepared.faces.exact, prepared.faces.count);
+  std::vector<RegionEntry> entries;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    if (const auto touch = prepared.is_capsule
+                               ? detail::first_touch(triangles[i], prepared.capsule.capsule)
+                               : detail::first_touch(triangles[i], faces))
+      entries.push_back({i, touch->time, touch->at_start});
+  return entries;
 }
 
 inline Placement placement_of(const TrianglesInRegion& found, std::size_t triangle_count) {

@@ -70,7 +70,6 @@ TEST_P(SharedRegions, EqualBruteForce) {
       ++counts[static_cast<std::size_t>(placement)];
     }
   }
-  std::printf("outside %d, partly %d, inside %d\n", counts[0], counts[1], counts[2]);
   EXPECT_GT(counts[1], 10);
   EXPECT_GT(counts[2], 5);
 }

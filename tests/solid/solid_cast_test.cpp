@@ -1,7 +1,6 @@
 #include "solids.hpp"
 #include "support/values.hpp"
 
-#include <cstdio>
 
 namespace pelt {
 namespace {
@@ -44,7 +43,6 @@ TEST(SolidCast, FindsTheFirstPointInside) {
     expect_first_point(solid, ray, hit, random);
     ++(hit ? hits : misses);
   }
-  std::printf("hits %d, misses %d, begin inside %d\n", hits, misses, begins_inside);
   EXPECT_GT(hits, 200);
   EXPECT_GT(misses, 1000);
   EXPECT_GT(begins_inside, 300);

@@ -2,8 +2,6 @@
 
 #include "solid/random_regions.hpp"
 #include "solid/region_oracle.hpp"
-#include "support/allocation_count.hpp"
-#include "support/instruction_sets.hpp"
 #include "support/skinned_shapes.hpp"
 #include "support/values.hpp"
 
@@ -15,11 +13,9 @@
 namespace pelt {
 namespace {
 
-using test::Motion;
 using test::Random;
 using test::RandomRegions;
 using test::Shape;
-using test::Weights;
 
 /// Queries of one pose, and the answers of brute force.
 struct Asked {
@@ -51,45 +47,6 @@ struct Asked {
   TrianglesInRegion found = {{7}, {7}};
   std::vector<std::uint32_t> touching;
 };
-
-TEST(Region, EqualsBruteForceOnBendingLimbsOnEachTarget) {
-  test::on_each_instruction_set([](InstructionSet) {
-    Random random(540);
-    RandomRegions regions(random);
-    const Shape limb = test::make_limb(40, 12, 5);
-    Pose pose(*build_model(limb.view()));
-    std::array<int, 3> counts = {};
-    for (int round = 0; round < 100; ++round) {
-      const Vec3 place = random.point(round % 2 ? 1e4 : 2);
-      ASSERT_TRUE(pose.set_palette(test::bend_limb(random, 5, 0.5, place)));
-      Asked asked(limb, pose);
-      for (int i = 0; i < 8; ++i)
-        ++counts[static_cast<std::size_t>(asked.expect_as_brute_force(
-            regions.next(place, random.chance(0.3) ? 20 : random.uniform(0.1, 2))))];
-    }
-    std::printf("outside %d, partly %d, inside %d\n", counts[0], counts[1], counts[2]);
-    for (const int count : counts) EXPECT_GT(count, 40);
-  });
-}
-
-TEST(Region, EqualsBruteForceOnSoupsUnderAnyAffineJoints) {
-  Random random(541);
-  RandomRegions regions(random);
-  std::array<int, 3> counts = {};
-  for (const Motion motion : {Motion::rigid, Motion::affine, Motion::collapsed, Motion::far_away})
-    for (const Weights weights : {Weights::one_joint, Weights::random, Weights::adversarial}) {
-      const Shape soup = test::make_soup(random, 200, 7, 4, weights);
-      Pose pose(*build_model(soup.view()));
-      ASSERT_TRUE(pose.set_palette(test::make_palette(random, 7, motion, 1)));
-      Asked asked(soup, pose);
-      for (int i = 0; i < 40; ++i)
-        ++counts[static_cast<std::size_t>(asked.expect_as_brute_force(
-            regions.next(asked.positions[random.index(100)], std::exp(random.uniform(-3, 3)))))];
-    }
-  std::printf("outside %d, partly %d, inside %d\n", counts[0], counts[1], counts[2]);
-  EXPECT_GT(counts[0], 30);
-  EXPECT_GT(counts[1], 100);
-}
 
 /// Faces and spheres through vertices, which only exact arithmetic can decide.
 TEST(Region, TouchingCounts) {
@@ -155,66 +112,6 @@ TEST(Region, PlacementDecidedByTheRootBoxCostsOneBox) {
     EXPECT_EQ(stats.refits, 1u);
     EXPECT_EQ(stats.posed_vertices, 0u);
   }
-}
-
-TEST(Region, WorkIsTheSameOnEachTarget) {
-  Random random(545);
-  RandomRegions regions(random);
-  const Shape limb = test::make_limb(40, 12, 5);
-  Pose pose(*build_model(limb.view()));
-  Scratch scratch;
-  std::uint64_t triangles = 0;
-  for (int round = 0; round < 100; ++round) {
-    const auto palette = test::bend_limb(random, 5, 0.5, {});
-    const Region region = regions.next({}, 1);
-    std::vector<QueryStats> work;
-    test::on_each_instruction_set([&](InstructionSet) {
-      ASSERT_TRUE(pose.set_palette(palette));
-      TrianglesInRegion found;
-      work.push_back(find_triangles(pose, region, scratch, found));
-    });
-    for (const QueryStats& other : work) {
-      EXPECT_EQ(other.node_pairs, work[0].node_pairs);
-      EXPECT_EQ(other.posed_vertices, work[0].posed_vertices);
-      EXPECT_EQ(other.triangle_pairs, work[0].triangle_pairs);
-    }
-    triangles += work[0].triangle_pairs;
-  }
-  EXPECT_GT(triangles, 1000u);
-}
-
-TEST(Region, DoesNotAllocateOnceReserved) {
-  Random random(546);
-  RandomRegions regions(random);
-  const Shape limb = test::make_limb(40, 12, 5);
-  const auto count = static_cast<std::uint32_t>(limb.triangles.size());
-  Pose pose(*build_model(limb.view()));
-  Scratch scratch;
-  TrianglesInRegion found;
-  pose.reserve();
-  scratch.reserve(count);
-  found.intersecting.reserve(count);
-  found.inside.reserve(count);
-  std::vector<std::uint32_t> touching;
-  touching.reserve(count);
-  const auto palette = test::bend_limb(random, 5, 0.5, {});
-  std::size_t all = 0;
-  for (int round = 0; round < 100; ++round) {
-    const Region region = regions.next({}, 2);
-    const std::size_t before = test::allocation_count();
-    ASSERT_TRUE(pose.set_palette(palette));
-    Placement placement = Placement::outside;
-    classify(pose, region, scratch, placement);
-    found.intersecting.clear();
-    found.inside.clear();
-    find_triangles(pose, region, scratch, found);
-    touching.clear();
-    collide(pose, region, scratch, touching);
-    EXPECT_EQ(intersects(pose, region, scratch).answer, !touching.empty());
-    EXPECT_EQ(test::allocation_count(), before);
-    all += found.intersecting.size();
-  }
-  EXPECT_GT(all, count);
 }
 
 TEST(Placement, HasNames) {

@@ -168,7 +168,6 @@ void compare_self_intersections(Body body, int rounds) {
       check(found, exact, 1000);
       hits += exact != 0;
     }
-  std::cout << hits << " of " << 4 * rounds << " overlap themselves\n";
   EXPECT_GT(hits, rounds);
 }
 

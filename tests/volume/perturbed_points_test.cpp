@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <iostream>
 #include <utility>
 #include <vector>
 
@@ -73,7 +72,6 @@ TEST(PerturbedPoints, AreOnTheSideOfThePlaneOnWhichTheMovedPointsAre) {
     ASSERT_EQ(perturbed_side(plane, p[3]), sgn(height(moved, plane, p[3])));
     flat += orient3d(p[0].at, p[1].at, p[2].at, p[3].at) == 0;
   }
-  std::cout << flat << " of 1000 in one plane\n";
   EXPECT_GT(flat, 250);
 }
 
@@ -87,7 +85,6 @@ TEST(PerturbedPoints, FaceWhereTheMovedTriangleFaces) {
     ASSERT_EQ(perturbed_facing({p[0], p[1], p[2]}), sgn(mpz_class(u[1] * v[2] - u[2] * v[1])));
     flat += orient2d(without(p[0].at, 0), without(p[1].at, 0), without(p[2].at, 0)) == 0;
   }
-  std::cout << flat << " of 3000 in one line\n";
   EXPECT_GT(flat, 800);
 }
 
@@ -108,7 +105,6 @@ TEST(PerturbedPoints, CrossAPlaneWhereTheMovedEdgeDoes) {
     flat += orient3d(p[0].at, p[1].at, p[2].at, p[3].at) == 0 &&
             orient3d(p[0].at, p[1].at, p[2].at, p[4].at) == 0;
   }
-  std::cout << crossings << " of 150 edges cross, " << flat << " of them in the plane\n";
   EXPECT_GT(crossings, 50);
   EXPECT_GT(flat, 8);
 }

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -51,7 +50,6 @@ TEST_P(SelfVolumeOfCharacters, EqualsThatOfACopy) {
       EXPECT_LT(found.error, expected.error);
       overlaps += std::abs(found.value) > found.error;
     }
-  std::printf("%d frames overlap themselves\n", overlaps);
   EXPECT_GE(overlaps, GetParam().least_overlaps);
 }
 

@@ -5,14 +5,11 @@
 #include <pelt/self.hpp>
 
 #include "self_volume_reference.hpp"
-#include "support/allocation_count.hpp"
 #include "support/closed_body.hpp"
-#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <iostream>
 #include <thread>
 #include <vector>
 
@@ -64,7 +61,6 @@ TEST(SelfIntersectionVolume, EqualsThatOfACopy) {
       hits += found.value > 1e-6;
     }
   }
-  std::cout << hits << " of 30 overlap themselves\n";
   EXPECT_GT(hits, 15);
 }
 
@@ -80,47 +76,6 @@ TEST(SelfIntersectionVolume, EqualsThatOfACopyWhereLayersCoincide) {
   expect_equal_within_errors(found, volume_with_a_copy(body.pose));
   Body one(sphere);
   EXPECT_NEAR(found.value, volume_of(one).value, found.error + volume_of(one).error);
-}
-
-TEST(SelfIntersectionVolume, IsTheSameOnEachInstructionSetAndAllocatesNothingTheSecondTime) {
-  Random random(45);
-  const auto palette = bend_limb(random, 4, 0.7, {0, 0, 0});
-  Volume first;
-  on_each_instruction_set([&](InstructionSet) {
-    Body body(crossing_limbs());
-    body.set(palette);
-    Scratch scratch;
-    Volume found;
-    self_intersection_volume(body.pose, scratch, found);
-    const Volume fresh = found;
-    const std::uint64_t before = allocation_count();
-    self_intersection_volume(body.pose, scratch, found);
-    EXPECT_EQ(allocation_count(), before);
-    EXPECT_GT(found.value, 0);
-    if (first.value == 0) first = fresh;
-    for (const Volume& again : {fresh, found}) {
-      EXPECT_EQ(again.value, first.value);
-      EXPECT_EQ(again.error, first.error);
-    }
-  });
-}
-
-TEST(SelfIntersectionVolume, AllocatesNothingIfAllIsReserved) {
-  Random random(46);
-  Body body(crossing_limbs());
-  self_intersection_of(body);  // the first query with a surface allocates
-  const SelfFilter filter = *build_self_filter(body.pose.model());
-  body.set(bend_limb(random, 4, 0.7, {0, 0, 0}));
-  Scratch other, scratch;
-  std::vector<Contact> contacts;
-  self_collide(body.pose, filter, other, contacts);
-  scratch.reserve(contacts.size(), 0, filter.scratch_size());
-  body.pose.reserve();
-  Volume found;
-  const std::uint64_t before = allocation_count();
-  self_intersection_volume(body.pose, scratch, found);
-  EXPECT_EQ(allocation_count(), before);
-  EXPECT_GT(found.value, 0);
 }
 
 TEST(SelfIntersectionVolume, CanBeAskedForByThreadsThatShareASurface) {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <utility>
 
 namespace pelt::detail {
@@ -54,7 +53,6 @@ TEST(SurfaceCrossing, OfSeparateTrianglesIsThatOfTwoBodies) {
     for (std::size_t end = 0; end < 2; ++end) ASSERT_TRUE(is_same((*found)[end], (*expected)[end]));
     ++hits;
   }
-  std::cout << hits << " of 20000 cross\n";
   EXPECT_GT(hits, 1000);
 }
 
@@ -76,7 +74,6 @@ TEST(SurfaceCrossing, OfTrianglesThatShareACornerStartsThere) {
     ASSERT_EQ(pair.a[corner.a].number, pair.b[corner.b].number);
     ++hits;
   }
-  std::cout << hits << " of 20000 cross\n";
   EXPECT_GT(hits, 1000);
 }
 
@@ -107,7 +104,6 @@ TEST(SurfaceCrossing, RunsBackwardsIfTheTrianglesAreExchanged) {
     }
     ++hits;
   }
-  std::cout << hits << " of 20000 cross\n";
   EXPECT_GT(hits, 1000);
 }
 

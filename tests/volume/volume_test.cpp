@@ -2,15 +2,12 @@
 
 #include "pose/pose.hpp"
 #include "prism_volume.hpp"
-#include "support/allocation_count.hpp"
 #include "support/closed_body.hpp"
 #include "support/closed_shapes.hpp"
-#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 
 namespace pelt::test {
 namespace {
@@ -99,54 +96,7 @@ TEST(IntersectionVolume, IsThatOfPrismsBelowTriangles) {
     EXPECT_LT(found.error, 1e-12);
     hits += expected > 1e-6;
   }
-  std::cout << hits << " of 30 intersect\n";
   EXPECT_GT(hits, 15);
-}
-
-TEST(IntersectionVolume, IsTheSameOnEachInstructionSetAndAllocatesNothingTheSecondTime) {
-  Random random(42);
-  const auto palette_a = bend_limb(random, 4, 0.2, {0, 0, 0});
-  const auto palette_b = bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f});
-  Volume first;
-  on_each_instruction_set([&](InstructionSet) {
-    Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
-    a.set(palette_a);
-    b.set(palette_b);
-    Scratch scratch;
-    Volume found;
-    intersection_volume(a.pose, b.pose, scratch, found);
-    const Volume fresh = found;
-    const std::uint64_t before = allocation_count();
-    intersection_volume(a.pose, b.pose, scratch, found);
-    EXPECT_EQ(allocation_count(), before);
-    volume(a.pose, found);  // opens all nodes
-    intersection_volume(a.pose, b.pose, scratch, found);
-    EXPECT_GT(found.value, 0);
-    EXPECT_EQ(found.value, fresh.value);
-    EXPECT_EQ(found.error, fresh.error);
-    if (first.value == 0) first = found;
-    EXPECT_EQ(found.value, first.value);
-    EXPECT_EQ(found.error, first.error);
-  });
-}
-
-TEST(IntersectionVolume, AllocatesNothingIfAllIsReserved) {
-  Random random(43);
-  Body a(make_limb(24, 13, 4)), b(make_limb(24, 11, 4));
-  a.set(bend_limb(random, 4, 0.2, {0, 0, 0}));
-  b.set(bend_limb(random, 4, 0.2, {0.05f, 0.02f, 0.03f}));
-  std::vector<Contact> contacts;
-  Scratch other, scratch;
-  collide(a.pose, b.pose, other, contacts);
-  scratch.reserve(contacts.size());
-  a.pose.reserve();
-  b.pose.reserve();
-  ASSERT_TRUE(a.pose.model().surface().is_closed() && b.pose.model().surface().is_closed());
-  Volume found;
-  const std::uint64_t before = allocation_count();
-  intersection_volume(a.pose, b.pose, scratch, found);
-  EXPECT_EQ(allocation_count(), before);
-  EXPECT_GT(found.value, 0);
 }
 
 /// The number of vertices in all open nodes.

@@ -1,74 +1,12 @@
-/// A crowd of instances with dual quaternion skinning, some with offsets and morph weights, among
-/// instances with linear blend skinning.
+/// Given vertices, offsets and dual quaternions of instances. That crowds of them find what pairs
+/// of poses find is part of the contract of queries (query/query_contract_test.cpp).
 
-#include "crowd/posed_crowd.hpp"
-#include "pose/dual_bodies.hpp"
+#include "support/dual_bodies.hpp"
+
+#include <pelt/crowd.hpp>
 
 namespace pelt::test {
 namespace {
-
-/// Instances of three models.
-class DualCrowd final : public PosedCrowd {
- public:
-  DualCrowd(Random& random, const Shape& shape, const Caps& caps, std::uint32_t count)
-      : PosedCrowd(models_of(shape, caps), count, 5), random_(random), caps_(caps) {}
-
-  int as_dual_quaternions = 0, as_matrices = 0;
-
- private:
-  /// With dual quaternions and caps, with dual quaternions, and with linear blend skinning.
-  static std::vector<SkinnedModel> models_of(const Shape& shape, const Caps& caps) {
-    SkinnedMeshView view = shape.view();
-    view.offset_caps = caps;
-    return {*build_model(view, kDual), *build_model(shape.view(), kDual),
-            *build_model(shape.view())};
-  }
-
-  /// Matrices are those of the dual quaternions up to rounding, so both sides get the same form.
-  void set_joints(std::uint32_t i) {
-    const Turns turns = random_.chance(0.7) ? Turns::small : Turns::antipodal;
-    const auto palette = turn_limb(random_, turns, random_.point(0.3));
-    if (i % 3 != 2 && random_.chance(0.6)) {
-      const std::vector<float> duals = signed_dual_quaternions(random_, palette);
-      ASSERT_TRUE(to[i].set_dual_quaternions(duals));
-      ASSERT_TRUE(crowd.set_dual_quaternions(i, duals));
-      ++as_dual_quaternions;
-    } else {
-      ASSERT_TRUE(to[i].set_palette(palette));
-      ASSERT_TRUE(crowd.set_palette(i, palette));
-      ++as_matrices;
-    }
-  }
-
-  void move(std::uint32_t i) override {
-    set_joints(i);
-    const std::vector<float> weights = make_morph_weights(random_, 3, Morphing::some);
-    ASSERT_TRUE(to[i].set_morph_weights(weights));
-    ASSERT_TRUE(crowd.set_morph_weights(i, weights));
-    if (i % 3 == 0) set_offsets(i, random_offsets(random_, caps_));
-  }
-
-  Random& random_;
-  const Caps& caps_;
-};
-
-TEST(DualCrowd, EqualsAllPairsOneByOneWithAnyNumberOfThreads) {
-  Random random(1910);
-  const Shape shape = make_dual_shape(random, {.has_morph_targets = true}, 64);
-  const Caps caps = random_caps(random, shape.rest_positions.size(), 0.03);
-  DualCrowd crowd(random, shape, caps, 10);
-  for (int round = 0; round < 4; ++round) {
-    crowd.step();
-    crowd.expect_all_pairs();
-    if (HasFatalFailure()) return;
-  }
-  std::printf("%zu contacts, %zu moving contacts, %d palettes of dual quaternions, %d others\n",
-              crowd.contacts, crowd.moving, crowd.as_dual_quaternions, crowd.as_matrices);
-  EXPECT_GT(crowd.contacts, 1000u);
-  EXPECT_GT(crowd.moving, 3000u);
-  EXPECT_GT(crowd.as_dual_quaternions, 8);
-  EXPECT_GT(crowd.as_matrices, 8);
-}
 
 /// Two limbs in the same place.
 struct TwoLimbs {
@@ -165,6 +103,19 @@ TEST(DualCrowd, RefusesWhatAPoseRefuses) {
   std::vector<CrowdContact> contacts;
   crowd.collide(contacts);
   EXPECT_GT(contacts.size(), 100u);  // both are still where they were
+}
+
+TEST(GivenCrowd, RefusesWhatAPoseRefuses) {
+  Random random(1901);
+  const Shape shape = make_limb(16, 8, 4);
+  Crowd crowd;
+  const std::uint32_t instance = crowd.add(*build_model(shape.view()));
+  const std::size_t bytes = crowd.memory_bytes();
+  EXPECT_FALSE(crowd.set_vertices(instance, std::vector<Vec3>(3)));
+  EXPECT_FALSE(crowd.set_offsets(instance, std::vector<Vec3>(shape.rest_positions.size())));
+  EXPECT_EQ(crowd.memory_bytes(), bytes);
+  EXPECT_TRUE(crowd.set_vertices(instance, shape.rest_positions));
+  EXPECT_GT(crowd.memory_bytes(), bytes + 16 * shape.rest_positions.size());
 }
 
 }  // namespace

@@ -1,19 +1,15 @@
 #pragma once
 
-/// Moving bodies with dual quaternion skinning: limbs and soups, with any number of influences,
-/// with morph targets and with offsets.
+/// Shapes and palettes of bodies with dual quaternion skinning: limbs and soups, with any number of
+/// influences, with morph targets and with offsets.
 
 #include "skin/palette.hpp"
 #include "skin/palette_lanes.hpp"
 #include "support/dual_shapes.hpp"
-#include "support/random_offsets.hpp"
-
-#include <pelt/motion.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -27,14 +23,6 @@ struct DualKind {
   bool has_morph_targets = false;
   bool has_offsets = false;
 };
-
-/// Every combination of the last three members, and all numbers of influences from 1 to 8.
-inline std::vector<DualKind> dual_kinds(Turns turns) {
-  std::vector<DualKind> kinds;
-  for (std::uint32_t i = 0; i < 8; ++i)
-    kinds.push_back({turns, 1 + i, i % 2 != 0, i % 4 >= 2, i >= 4});
-  return kinds;
-}
 
 inline constexpr std::uint32_t kDualJoints = 9;
 
@@ -114,74 +102,12 @@ inline std::vector<float> signed_dual_quaternions(Random& random,
   return floats;
 }
 
-/// A body at both ends of a step. Soups are about as large as limbs.
-struct DualBody {
-  DualBody(Random& random, const DualKind& kind_of_body, std::uint32_t size)
-      : shape(make_dual_shape(random, kind_of_body, size)),
-        kind(kind_of_body),
-        caps(kind.has_offsets
-                 ? random_caps(random, shape.rest_positions.size(), kind.is_soup ? 0.2 : 0.02)
-                 : Caps()),
-        from(build()),
-        to(from.model()) {}
-
-  /// Poses both ends in a new way.
-  void move(Random& random, double distance) {
-    const Vec3 at = random.point(distance), way = random.point(0.2);
-    set(random, from, offsets[0], at);
-    set(random, to, offsets[1], {at.x + way.x, at.y + way.y, at.z + way.z});
-  }
-
-  pelt::Motion step() { return {from, to}; }
-
-  SkinnedModel build() const {
-    SkinnedMeshView view = shape.view();
-    view.offset_caps = caps;
-    return *build_model(view, kDual);
-  }
-
-  std::vector<Matrix4> palette(Random& random, const Vec3& at) const {
-    if (!kind.is_soup) return turn_limb(random, kind.turns, at);
-    std::vector<Matrix4> palette = random_rigid_palette(random, kDualJoints, kind.turns, 0.3);
-    for (Matrix4& m : palette) m.m[12] += at.x, m.m[13] += at.y, m.m[14] += at.z;
-    return palette;
-  }
-
-  void set(Random& random, Pose& pose, std::vector<Vec3>& pose_offsets, const Vec3& at) const {
-    const std::vector<Matrix4> joints = palette(random, at);
-    if (random.chance(0.5))
-      ASSERT_TRUE(pose.set_palette(joints));
-    else
-      ASSERT_TRUE(pose.set_dual_quaternions(signed_dual_quaternions(random, joints)));
-    ASSERT_TRUE(pose.set_morph_weights(
-        make_morph_weights(random, shape.morph_target_count(), Morphing::all)));
-    if (!kind.has_offsets) return;
-    pose_offsets = random_offsets(random, caps);
-    ASSERT_TRUE(pose.set_offsets(pose_offsets));
-  }
-
-  Shape shape;
-  DualKind kind;
-  Caps caps;
-  std::array<std::vector<Vec3>, 2> offsets;  ///< of both ends, because poses borrow them
-  Pose from, to;
-};
-
-/// Calls `test(a, b)` for two bodies of each kind, posed anew in each of `rounds` rounds.
-template <typename Test>
-void on_all_kinds(Random& random, int rounds, std::uint32_t size, double distance,
-                  const Test& test) {
-  for (const Turns turns : kAllTurns)
-    for (const DualKind& kind : dual_kinds(turns)) {
-      DualBody a(random, kind, size), b(random, kind, size);
-      for (int round = 0; round < rounds; ++round) {
-        SCOPED_TRACE(testing::Message() << "turns " << static_cast<int>(turns) << ", "
-                                        << kind.influences << " influences, round " << round);
-        a.move(random, distance), b.move(random, distance);
-        test(a, b);
-        if (testing::Test::HasFatalFailure()) return;
-      }
-    }
+/// A palette of such a body near `at`.
+inline std::vector<Matrix4> dual_palette(Random& random, const DualKind& kind, const Vec3& at) {
+  if (!kind.is_soup) return turn_limb(random, kind.turns, at);
+  std::vector<Matrix4> palette = random_rigid_palette(random, kDualJoints, kind.turns, 0.3);
+  for (Matrix4& m : palette) m.m[12] += at.x, m.m[13] += at.y, m.m[14] += at.z;
+  return palette;
 }
 
 }  // namespace pelt::test
