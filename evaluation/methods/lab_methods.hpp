@@ -3,6 +3,7 @@
 /// Methods that are used only for comparison, in addition to the methods of the command.
 
 #include "tools/pelt/methods/command_methods.hpp"
+#include "tools/pelt/methods/self_methods.hpp"
 
 namespace pelt::lab {
 
@@ -20,6 +21,7 @@ std::unique_ptr<Method> make_hybrid();
 std::unique_ptr<Method> make_hash();
 std::unique_ptr<Method> make_hash_overlap();
 std::unique_ptr<Method> make_bd_tree();
+std::unique_ptr<Method> make_self_eager();
 
 /// A lower bound for comparison: the cost of the same query between rigid bodies. For each palette,
 /// builds the tree again over the posed mesh and opens all nodes with exact boxes, so a query does
@@ -71,5 +73,15 @@ inline constexpr std::array kLabMethods = {methods::kOnDemand,
                                            kHashOverlap,
                                            kBdTree,
                                            methods::kBrute};
+
+// --- for a character against itself
+
+/// The simplest use of the library's tree: opens all nodes, queries the posed tree against itself
+/// as if it were two characters, and decides pairs of neighbours, which always touch, one by one
+/// with the exact predicate. Finds each pair twice.
+inline constexpr MethodKind kSelfEager = {"eager", Skins::with_boxes, make_self_eager};
+
+inline constexpr std::array kLabSelfMethods = {methods::kSelf, methods::kBoxes, kSelfEager,
+                                               methods::kSelfBrute};
 
 }  // namespace pelt::lab

@@ -1,4 +1,4 @@
-#include "evaluation/methods/lab_moving_methods.hpp"
+#include "evaluation/methods/moving_methods.hpp"
 #include "evaluation/rivals/united_boxes.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
@@ -18,7 +18,7 @@ struct UnitedStep {
   detail::PosedTree from, to;
 };
 
-class MovingUnited final : public methods::MovingMethod {
+class MovingUnited final : public MovingMethod {
  public:
   void add(const SkinnedModel& model) override {
     from_.emplace_back(model);
@@ -64,8 +64,6 @@ class MovingUnited final : public methods::MovingMethod {
 
 }  // namespace
 
-std::unique_ptr<methods::MovingMethod> make_moving_united() {
-  return std::make_unique<MovingUnited>();
-}
+std::unique_ptr<MovingMethod> make_moving_united() { return std::make_unique<MovingUnited>(); }
 
 }  // namespace pelt::lab

@@ -1,5 +1,5 @@
 #include "collide/eager.hpp"
-#include "evaluation/methods/lab_self_methods.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
 #include "self/neighbour_pair.hpp"

@@ -1,6 +1,6 @@
 #include "evaluation/peers/contests.hpp"
 
-#include "evaluation/methods/lab_self_methods.hpp"
+#include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/methods/posed_mesh_adapter.hpp"
 #include "evaluation/peers/peers.hpp"
 #include "tools/pelt/methods/command_methods.hpp"

@@ -2,7 +2,7 @@
 
 /// Which methods are compared, for pairs of instances and for instances against themselves.
 
-#include "tools/pelt/bench/bench_method.hpp"
+#include "tools/pelt/bench/runner.hpp"
 
 #include <string>
 #include <vector>

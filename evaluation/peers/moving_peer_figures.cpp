@@ -1,8 +1,8 @@
 #include "evaluation/peers/moving_peer_figures.hpp"
 
+#include "evaluation/methods/moving_methods.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
-#include "tools/pelt/methods/moving_methods.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,14 @@
 namespace pelt::tools {
 namespace {
 
-using bench::MovingBenchMethod;
-using bench::MovingQuestion;
-using bench::MovingRunner;
-using bench::MovingSubject;
-using bench::Step;
-using bench::StepAnswer;
+using lab::MovingBenchMethod;
+using lab::MovingQuestion;
+using lab::MovingRunner;
+using lab::MovingSubject;
+using lab::Step;
+using lab::StepAnswer;
 
-class MovingAdapter final : public methods::MovingMethod {
+class MovingAdapter final : public lab::MovingMethod {
  public:
   explicit MovingAdapter(std::unique_ptr<peers::MovingMeshMethod> method)
       : method_(std::move(method)) {}
@@ -96,8 +96,8 @@ constexpr std::size_t kOurs = 2;  // methods that skin during their update or qu
 
 /// Pelt's methods, the peers, then skinning alone.
 std::vector<MovingBenchMethod> moving_contestants() {
-  return {{"pelt on_demand", methods::kMovingOnDemand.make},
-          {"pelt eager", methods::kMovingEager.make},
+  return {{"pelt on_demand", lab::kMovingOnDemand.make},
+          {"pelt eager", lab::kMovingEager.make},
           {"fcl", [] { return adapt_moving(peers::make_fcl_moving(1)); }},
           {"fcl in 1/1000", [] { return adapt_moving(peers::make_fcl_moving(1000)); }},
           {"skinning", [] { return adapt_moving(std::make_unique<MovingSkinningOnly>()); }}};
@@ -134,15 +134,15 @@ Result<void> ask_step(MovingRunner& runner, const scene::Palettes& from,
 Result<void> compare_all_steps(const MovingSubject& subject, MovingScenePeers& scene) {
   std::vector<MovingRunner> runners;
   for (const MovingBenchMethod& method : moving_contestants())
-    runners.emplace_back(subject.colliders, method.make());
-  MovingRunner exact(subject.colliders, methods::kMovingBrute.make());
+    runners.emplace_back(subject.colliders, method);
+  MovingRunner exact(subject.colliders, lab::method_of(lab::kMovingBrute));
   asset::SampleScratch scratch;
   scene::Palettes from, to;
   for (const Step& step : subject.steps) {
     scene::sample_palettes(subject.scene, step.from, scratch, from);
     scene::sample_palettes(subject.scene, step.to, scratch, to);
     if (const auto asked = ask_step(exact, from, to); !asked)
-      return bench::in_step(step, asked.error());
+      return lab::in_step(step, asked.error());
     const auto& contacts = exact.found().contacts;
     scene.contacts += contacts.size();
     scene.contacts_at_start += static_cast<std::size_t>(std::count_if(
@@ -150,7 +150,7 @@ Result<void> compare_all_steps(const MovingSubject& subject, MovingScenePeers& s
     scene.steps_in_contact += !contacts.empty();
     for (std::size_t m = 0; m < scene.methods.size(); ++m) {
       if (const auto asked = ask_step(runners[m], from, to); !asked)
-        return bench::in_step(step, asked.error());
+        return lab::in_step(step, asked.error());
       scene.methods[m].difference += compare_steps(runners[m].found(), exact.found());
     }
   }
@@ -159,8 +159,7 @@ Result<void> compare_all_steps(const MovingSubject& subject, MovingScenePeers& s
 
 }  // namespace
 
-std::unique_ptr<methods::MovingMethod> adapt_moving(
-    std::unique_ptr<peers::MovingMeshMethod> method) {
+std::unique_ptr<lab::MovingMethod> adapt_moving(std::unique_ptr<peers::MovingMeshMethod> method) {
   return std::make_unique<MovingAdapter>(std::move(method));
 }
 
@@ -176,15 +175,15 @@ Result<MovingScenePeers> measure_moving_peers(const MovingSubject& subject,
   for (std::size_t m = 0; m + 1 < all.size(); ++m) scene.methods.push_back({all[m].name});
   if (const auto compared = compare_all_steps(subject, scene); !compared) return compared.error();
   constexpr std::array kQuestions = {MovingQuestion::times};
-  const auto times = bench::measure_moving(subject, all, kQuestions, repetitions, [] {});
+  const auto times = lab::measure_moving(subject, all, kQuestions, repetitions, [] {});
   if (!times) return times.error();
   const double skinning_us = times->back()[0].mean_update_us;
   for (std::size_t m = 0; m < scene.methods.size(); ++m) {
-    const bench::MovingTimes& of = (*times)[m][0];
+    const bench::Times& of = (*times)[m][0];
     MovingPeerFigures& figures = scene.methods[m];
     figures.skinning_us = m < kOurs ? 0 : skinning_us;
     figures.update_us = std::max(0.0, of.mean_update_us - figures.skinning_us);
-    figures.query_us = of.mean_us - of.mean_update_us;
+    figures.query_us = of.mean_query_us();
     figures.step_us = of.mean_us;
   }
   return scene;

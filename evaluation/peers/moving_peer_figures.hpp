@@ -1,12 +1,12 @@
 #pragma once
 
 /// Times and answers of continuous collision detection in other libraries for the steps of a scene,
-/// and of Pelt in the same run. Measured as by `pelt bench --moving`. Peers start from vertices
+/// and of Pelt in the same run. Measured as by `pelt-lab bench --moving`. Peers start from vertices
 /// that Pelt's fastest code skins, which counts as part of their cost.
 
+#include "evaluation/bench/moving_bench.hpp"
 #include "evaluation/peers/moving_compare.hpp"
 #include "evaluation/peers/moving_peer.hpp"
-#include "tools/pelt/bench/bench_moving.hpp"
 
 #include <ostream>
 #include <string>
@@ -15,8 +15,7 @@
 namespace pelt::tools {
 
 /// Skins all vertices for every new palette, and calls `method`.
-std::unique_ptr<methods::MovingMethod> adapt_moving(
-    std::unique_ptr<peers::MovingMeshMethod> method);
+std::unique_ptr<lab::MovingMethod> adapt_moving(std::unique_ptr<peers::MovingMeshMethod> method);
 
 /// One method; times are in microseconds per step.
 struct MovingPeerFigures {
@@ -38,7 +37,7 @@ struct MovingScenePeers {
 };
 
 /// Precondition: `subject` has at least one step.
-Result<MovingScenePeers> measure_moving_peers(const bench::MovingSubject& subject,
+Result<MovingScenePeers> measure_moving_peers(const lab::MovingSubject& subject,
                                               std::uint32_t repetitions);
 
 void print_moving_peers(const MovingScenePeers& scene, std::ostream& out);

@@ -2,13 +2,13 @@
 
 /// Times and answers of peers for a scene, and of Pelt in the same run.
 ///
-/// Measured as by `pelt bench` (bench_measure.hpp). All peers start from vertices that Pelt's
-/// fastest code skins. This skinning is measured as a method of its own and counts as part of the
-/// cost of each peer.
+/// Measured as by `pelt bench` (tools/pelt/bench/measure.hpp). All peers start from vertices that
+/// Pelt's fastest code skins. This skinning is measured as a method of its own and counts as part
+/// of the cost of each peer.
 
 #include "evaluation/peers/compare.hpp"
 #include "evaluation/peers/contests.hpp"
-#include "tools/pelt/bench/bench_measure.hpp"
+#include "tools/pelt/bench/measure.hpp"
 
 #include <ostream>
 #include <string>

@@ -67,7 +67,7 @@ Result<MovingScenePeers> measure_steps(const Arguments& arguments, const std::st
     if (!range) return range.error();
     frames = *range;
   }
-  const auto steps = bench::choose_steps(*scene, frames);
+  const auto steps = lab::choose_steps(*scene, frames);
   if (!steps) return steps.error();
   const auto colliders = scene::make_colliders(*scene, scene::Granularity::instance, {});
   if (!colliders) return colliders.error();

@@ -105,7 +105,7 @@ function measureHere(file) {
 function measureNatively(file, instructionSet) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
   const json = path.join(folder, 'figures.json');
-  const asked = ['--methods', 'on_demand', '--queries', 'all', '--caches', 'hot', '--simd', instructionSet];
+  const asked = ['--methods', 'on_demand', '--queries', 'all', '--simd', instructionSet];
   spawnSync(kCommand, ['bench', file, ...asked, '--repeat', kRepetitions, '--json', json]);
   const figures = fs.existsSync(json) ? JSON.parse(fs.readFileSync(json)).scenes[0] : null;
   fs.rmSync(folder, { recursive: true });

@@ -3,11 +3,11 @@
 
 #include "evaluation/reproduce/between_frames.hpp"
 
-#include "evaluation/methods/lab_moving_methods.hpp"
+#include "evaluation/bench/moving_bench.hpp"
+#include "evaluation/methods/moving_methods.hpp"
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/reproduce/scene_texts.hpp"
 #include "text/format.hpp"
-#include "tools/pelt/bench/bench_moving.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +16,9 @@
 namespace pelt::reproduce {
 namespace {
 
-using tools::bench::MovingFigures;
-using tools::bench::MovingQuestion;
-using tools::bench::MovingSceneFigures;
+using lab::MovingFigures;
+using lab::MovingQuestion;
+using lab::MovingSceneFigures;
 
 constexpr std::uint32_t kMostSteps = 40;
 
@@ -30,24 +30,22 @@ std::string title_of_moving(const std::string& method) {
 Result<MovingSceneFigures> measure_steps(const scenes::Scene& scene, std::uint32_t most_steps,
                                          const Conditions& conditions) {
   const std::uint32_t most = conditions.is_quick ? std::max(most_steps / 4, 1u) : most_steps;
-  tools::bench::MovingSettings settings;
-  settings.program = "pelt-lab";
-  for (const auto& kind : {methods::kMovingOnDemand, methods::kMovingEager, lab::kMovingUnited})
-    settings.methods.push_back(tools::bench::moving_method_of(kind));
+  lab::MovingSettings settings;
+  for (const auto& kind : {lab::kMovingOnDemand, lab::kMovingEager, lab::kMovingUnited})
+    settings.methods.push_back(lab::method_of(kind));
   settings.repetitions = conditions.is_quick ? 3 : 9;
   settings.frames = {0, scene.frame_count, (scene.frame_count + most - 1) / most};
-  std::vector<MovingSceneFigures> figures;
   std::ostringstream errors;
-  const auto exit = tools::bench::bench_moving(scene, settings, figures, errors);
-  if (!exit) return exit.error();
-  if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
-  return std::move(figures[0]);
+  auto figures = lab::bench_moving(scene, settings, errors);
+  if (!figures) return figures.error();
+  if (!*figures) return Error{ErrorCode::invalid_argument, errors.str()};
+  return std::move(**figures);
 }
 
 /// Precondition: the method has answered the question.
 const MovingFigures& of_on_demand(const MovingSceneFigures& scene, MovingQuestion question) {
   return *std::find_if(scene.figures.begin(), scene.figures.end(), [&](const MovingFigures& f) {
-    return f.method == methods::kMovingOnDemand.name && f.question == question;
+    return f.method == lab::kMovingOnDemand.name && f.question == question;
   });
 }
 
@@ -77,9 +75,9 @@ std::vector<Cell> step_row(const MovingSceneFigures& scene, const MovingFigures&
                            title_of_moving(figures.method),
                            times.mean_us,
                            times.median_us,
-                           times.steps_in_contact > 0 ? Cell(times.mean_contact_us) : Cell(),
+                           times.frames_in_contact > 0 ? Cell(times.mean_contact_us) : Cell(),
                            times.mean_update_us,
-                           times.mean_us - times.mean_update_us,
+                           times.mean_query_us(),
                            cost(MovingQuestion::collide),
                            cost(figures.question),
                            each(figures.answer.contacts),
@@ -123,13 +121,13 @@ std::string text_of_steps(const std::string& scene, const Table& table) {
     return shown(figure_in(table, query, title_of_moving(std::string(method)), key));
   };
   return scene + ": which triangles touch takes " +
-         shown_in("pairs", methods::kMovingOnDemand.name, "of_collide") +
+         shown_in("pairs", lab::kMovingOnDemand.name, "of_collide") +
          " times the discrete query, with times and features " +
-         shown_in("times", methods::kMovingOnDemand.name, "of_collide") +
+         shown_in("times", lab::kMovingOnDemand.name, "of_collide") +
          " times, and the first contact " +
-         shown_in("first", methods::kMovingOnDemand.name, "of_collide") +
+         shown_in("first", lab::kMovingOnDemand.name, "of_collide") +
          " times. With times, skinning and refitting everything costs " +
-         shown_in("times", methods::kMovingEager.name, "of_on_demand") +
+         shown_in("times", lab::kMovingEager.name, "of_on_demand") +
          " times as much, and boxes over the whole step " +
          shown_in("times", lab::kMovingUnited.name, "of_on_demand") + " times.";
 }
@@ -188,30 +186,30 @@ Result<Table> between_frames_table(const std::string& id, const std::string& tit
                                    const Conditions& conditions) {
   const auto figures = measure_steps(scene, most_steps, conditions);
   if (!figures) return figures.error();
-  Table table = {id,
-                 title,
-                 {{"query", "query"},
-                  {"method", "method"},
-                  {"mean_us", "step, mean [us]"},
-                  {"median_us", "step, median [us]"},
-                  {"contact_us", "step in contact [us]"},
-                  {"update_us", "update [us]"},
-                  {"query_us", "query [us]"},
-                  {"of_collide", "cost over the discrete query of Pelt"},
-                  {"of_on_demand", "cost over the same query of Pelt"},
-                  {"contacts", "contacts per step"},
-                  {"triangle_pairs", "triangle pairs per step"},
-                  {"float", "decided in float [%]"},
-                  {"double", "decided in double [%]"},
-                  {"exact", "pairs decided in exact arithmetic"}},
-                 {},
-                 text::counted(figures->steps, "step") + " from one frame to the next; " +
-                     text::with_commas(figures->triangles) +
-                     " triangles. Skinning all vertices once takes " + shown(figures->skinning_us) +
-                     " us per step, and is part of the update of " + title_of(methods::kEager) +
-                     ". Medians of " + std::to_string(figures->repetitions) +
-                     " repetitions, one thread, caches hot. Brute force gives the same contacts, "
-                     "times and features."};
+  Table table = {
+      id,
+      title,
+      {{"query", "query"},
+       {"method", "method"},
+       {"mean_us", "step, mean [us]"},
+       {"median_us", "step, median [us]"},
+       {"contact_us", "step in contact [us]"},
+       {"update_us", "update [us]"},
+       {"query_us", "query [us]"},
+       {"of_collide", "cost over the discrete query of Pelt"},
+       {"of_on_demand", "cost over the same query of Pelt"},
+       {"contacts", "contacts per step"},
+       {"triangle_pairs", "triangle pairs per step"},
+       {"float", "decided in float [%]"},
+       {"double", "decided in double [%]"},
+       {"exact", "pairs decided in exact arithmetic"}},
+      {},
+      text::counted(figures->steps, "step") + " from one frame to the next; " +
+          text::with_commas(figures->triangles) + " triangles. Skinning all vertices once takes " +
+          shown(figures->skinning.mean_us) + " us per step, and is part of the update of " +
+          title_of(methods::kEager) + ". Medians of " + std::to_string(figures->repetitions) +
+          " repetitions, one thread, caches hot. Brute force gives the same contacts, "
+          "times and features."};
   for (const MovingFigures& of : figures->figures) table.rows.push_back(step_row(*figures, of));
   return table;
 }

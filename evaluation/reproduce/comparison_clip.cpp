@@ -1,5 +1,6 @@
 /// The comparison over a clip: caches, slow frames, memory.
 
+#include "evaluation/bench/bench.hpp"
 #include "evaluation/reproduce/comparison_methods.hpp"
 #include "evaluation/reproduce/comparison_tables.hpp"
 #include "evaluation/reproduce/heap_bytes.hpp"
@@ -15,7 +16,6 @@ namespace pelt::reproduce {
 namespace {
 
 using methods::MethodKind;
-using tools::bench::Cache;
 using tools::bench::Question;
 
 constexpr std::uint32_t kFrames = 30;
@@ -30,23 +30,22 @@ Result<tools::bench::SceneFigures> measure_clip(const scenes::Scene& scene,
   for (const MethodKind method : kCompared)
     settings.methods.push_back(tools::bench::method_of(method));
   settings.questions = {Question::all};
-  settings.caches = {Cache::hot, Cache::cold};
+  settings.caches = {tools::bench::Cache(), lab::cold_cache()};
   settings.repetitions = conditions.is_quick ? 3 : 9;
   const std::uint32_t frames = conditions.is_quick ? kFrames / 5 : kFrames;
   settings.frames = tools::arguments::FrameRange{0, scene.frame_count, scene.frame_count / frames};
-  std::vector<tools::bench::SceneFigures> figures;
   std::ostringstream errors;
-  const auto exit = tools::bench::bench_scene(scene, settings, figures, errors);
-  if (!exit) return exit.error();
-  if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
-  return std::move(figures[0]);
+  auto figures = tools::bench::bench_scene(scene, settings, errors);
+  if (!figures) return figures.error();
+  if (!*figures) return Error{ErrorCode::invalid_argument, errors.str()};
+  return std::move(**figures);
 }
 
 const tools::bench::Times& times_of(const tools::bench::SceneFigures& figures, MethodKind method,
-                                    Cache cache) {
+                                    const char* cache) {
   return std::find_if(figures.figures.begin(), figures.figures.end(),
                       [&](const tools::bench::Figures& of) {
-                        return of.method == method.name && of.variant.cache == cache;
+                        return of.method == method.name && of.cache == cache;
                       })
       ->times;
 }
@@ -121,10 +120,10 @@ Result<Table> clip_table(const Conditions& conditions) {
                  {},
                  note_of(*figures, conditions)};
   for (const MethodKind method : kCompared) {
-    const tools::bench::Times& hot = times_of(*figures, method, Cache::hot);
+    const tools::bench::Times& hot = times_of(*figures, method, "hot");
     const Memory memory = memory_of(method, (*colliders)[0].model, palettes.joints);
     table.rows.push_back({title_of(method), hot.mean_us, hot.p95_us,
-                          times_of(*figures, method, Cache::cold).mean_us, memory.instance,
+                          times_of(*figures, method, "cold").mean_us, memory.instance,
                           memory.shared});
   }
   return table;

@@ -4,7 +4,7 @@
 #include "evaluation/reproduce/facing_pair.hpp"
 #include "evaluation/reproduce/method_title.hpp"
 #include "evaluation/rivals/layered_depth.hpp"
-#include "tools/pelt/bench/bench_measure.hpp"
+#include "tools/pelt/bench/measure.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -90,7 +90,7 @@ struct Answers {
 
 Result<Answers> ask_all(const tools::bench::Subject& subject, const Conditions& conditions) {
   const std::vector<tools::bench::BenchMethod> all = image_methods();
-  constexpr std::array kFirst = {tools::bench::Variant{Question::first, tools::bench::Cache::hot}};
+  const std::array kFirst = {tools::bench::Variant{Question::first}};
   auto times = tools::bench::measure(subject, all, kFirst, conditions.is_quick ? 3 : 9, [] {});
   if (!times) return times.error();
   Answers answers = {{}, std::move(*times)};

@@ -91,7 +91,7 @@ Result<Table> measure_moving_peer_walk(const Conditions& conditions) {
   const auto colliders =
       tools::scene::make_colliders(*scene, tools::scene::Granularity::instance, {});
   if (!colliders) return colliders.error();
-  const auto steps = tools::bench::choose_steps(
+  const auto steps = lab::choose_steps(
       *scene, tools::arguments::FrameRange{0, scene->frame_count, conditions.is_quick ? 60u : 10u});
   if (!steps) return steps.error();
   const auto figures =

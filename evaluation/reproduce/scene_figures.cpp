@@ -26,7 +26,7 @@ std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
   return {method ? title_of(*method) : all.method,
           all.times.mean_us,
           all.times.mean_update_us,
-          all.times.mean_us - all.times.mean_update_us,
+          all.times.mean_query_us(),
           all.times.mean_contact_us,
           first.times.mean_us,
           each(work.node_pairs),
@@ -57,16 +57,14 @@ Result<SceneFigures> measure(const scenes::Scene& scene, tools::bench::BenchSett
                              std::uint32_t most_frames, const Conditions& conditions) {
   settings.program = "pelt-lab";
   settings.questions = {Question::all, Question::first};
-  settings.caches = {tools::bench::Cache::hot};
   settings.repetitions = conditions.is_quick ? 3 : 9;
   settings.frames =
       frames_of(scene, conditions.is_quick ? std::max(most_frames / 4, 1u) : most_frames);
-  std::vector<SceneFigures> figures;
   std::ostringstream errors;
-  const auto exit = tools::bench::bench_scene(scene, settings, figures, errors);
-  if (!exit) return exit.error();
-  if (figures.empty()) return Error{ErrorCode::invalid_argument, errors.str()};
-  return std::move(figures[0]);
+  auto figures = tools::bench::bench_scene(scene, settings, errors);
+  if (!figures) return figures.error();
+  if (!*figures) return Error{ErrorCode::invalid_argument, errors.str()};
+  return std::move(**figures);
 }
 
 }  // namespace
@@ -74,7 +72,7 @@ Result<SceneFigures> measure(const scenes::Scene& scene, tools::bench::BenchSett
 const Figures& figures_of(const SceneFigures& scene, std::string_view method, Question question) {
   const auto found =
       std::find_if(scene.figures.begin(), scene.figures.end(), [&](const Figures& figures) {
-        return figures.method == method && figures.variant.question == question;
+        return figures.method == method && figures.question == question;
       });
   PELT_ASSERT(found != scene.figures.end());
   return *found;
@@ -129,7 +127,7 @@ Table method_table(const std::string& id, const std::string& title, const SceneF
                  {},
                  summary(figures)};
   for (const Figures& method : figures.figures)
-    if (method.variant.question == Question::all) table.rows.push_back(method_row(figures, method));
+    if (method.question == Question::all) table.rows.push_back(method_row(figures, method));
   return table;
 }
 
@@ -153,7 +151,7 @@ Table eager_split_table(const std::string& id, const std::string& title,
   for (const MethodKind method : methods) {
     const tools::bench::Times& times = figures_of(figures, method.name, Question::all).times;
     const double refit = times.mean_update_us - skinning;
-    const double query = times.mean_us - times.mean_update_us, percent = 100 / times.mean_us;
+    const double query = times.mean_query_us(), percent = 100 / times.mean_us;
     table.rows.push_back({title_of(method), skinning, refit, query, times.mean_us,
                           percent * skinning, percent * refit, percent * query});
   }

@@ -5,7 +5,7 @@
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/experiment.hpp"
 #include "scenes/scene.hpp"
-#include "tools/pelt/bench/bench_report.hpp"
+#include "tools/pelt/bench/figures.hpp"
 
 #include <optional>
 

@@ -29,7 +29,7 @@ double per_frame(std::uint64_t count, const SceneFigures& figures) {
 std::vector<Cell> growth_row(std::uint32_t triangles, const SceneFigures& figures) {
   const Figures& all = figures_of(figures, "self", Question::all);
   const double boxes_us = figures_of(figures, "boxes", Question::all).times.mean_us;
-  const auto filter_bytes = static_cast<double>(figures.self_filters->bytes);
+  const auto filter_bytes = static_cast<double>(figures.self->filter_bytes);
   return {static_cast<double>(triangles),
           contact_count(figures),
           boxes_us,
@@ -39,7 +39,7 @@ std::vector<Cell> growth_row(std::uint32_t triangles, const SceneFigures& figure
           per_frame(all.answer.work.node_pairs, figures),
           per_frame(all.answer.work.triangle_pairs, figures),
           filter_bytes / static_cast<double>(figures.models.triangles),
-          1000 * figures.self_filters->build_seconds};
+          1000 * figures.self->filter_build_seconds};
 }
 
 /// The share of a stage, in per cent.

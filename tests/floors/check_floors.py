@@ -55,14 +55,16 @@ COMMAND = ["text", "asset", "scenes", *(f for f in FLOORS if f.startswith("tools
 EVALUATION = {
     "evaluation/rivals": [*LIBRARY, "paper"],
     "evaluation/methods": [*LIBRARY, "tools/pelt/methods", "paper", "evaluation/rivals"],
-    "evaluation/peers": [*LIBRARY, *COMMAND, "evaluation/rivals", "evaluation/methods"],
+    "evaluation/bench": [*LIBRARY, *COMMAND, "evaluation/methods"],
+    "evaluation/peers": [*LIBRARY, *COMMAND, "evaluation/rivals", "evaluation/methods", "evaluation/bench"],
     "evaluation/programs": [*LIBRARY, "text", "asset", "scenes", "tools/pelt/output",
                             "tools/pelt/scene", "evaluation/peers"],
     "evaluation/reproduce": [*LIBRARY, *COMMAND, "paper", "evaluation/rivals",
-                             "evaluation/methods", "evaluation/peers", "evaluation/programs"],
+                             "evaluation/methods", "evaluation/bench", "evaluation/peers",
+                             "evaluation/programs"],
     "evaluation/pictures": [*LIBRARY, *COMMAND, "evaluation/reproduce"],
     "evaluation/lab": ["tools/pelt/arguments", "tools/pelt/methods", "tools/pelt/verbs",
-                       "evaluation/methods", "evaluation/reproduce"],
+                       "evaluation/methods", "evaluation/bench", "evaluation/reproduce"],
 }
 FOLDERS = [*FLOORS, *EVALUATION, "docs/examples", "tests"]
 

@@ -1,9 +1,6 @@
 #include "tools/pelt/program.hpp"
 
-#include "tools/pelt/methods/anytime_methods.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
-#include "tools/pelt/methods/moving_methods.hpp"
-#include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 namespace pelt::tools {
@@ -13,10 +10,6 @@ constexpr const char* kFooter = R"(
 `pelt VERB --help` explains each verb with examples. Exit codes: 0 success (check, merge: nothing
 that --fail-on selects), 1 what --fail-on selects (check and merge only; by default any contact),
 2 bad input or arguments, 3 internal error.)";
-
-constexpr const char* kBenchNotes = R"(
-
-The program pelt-lab, which is not installed, also measures the methods of the literature.)";
 
 void add_verbs(CLI::App& app, arguments::Command& chosen) {
   using namespace verbs;
@@ -31,12 +24,7 @@ void add_verbs(CLI::App& app, arguments::Command& chosen) {
   add_prepare(app, chosen);
   add_pose(app, chosen);
   add_demo(app, chosen);
-  add_bench(app, chosen,
-            {{methods::kCommandMethods, "paper,eager,on_demand"},
-             {methods::kSelfMethods, "boxes,self"},
-             {methods::kCommandMovingMethods, "eager,on_demand"},
-             {methods::kCommandAnytimeMethods, "contacts,resolution,first_contact,paper"},
-             kBenchNotes});
+  add_bench(app, chosen);
 }
 
 }  // namespace

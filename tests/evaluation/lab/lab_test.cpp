@@ -65,31 +65,6 @@ TEST(Lab, ChecksByEveryMethodWithTheSameAnswer) {
   }
 }
 
-TEST(Lab, BenchesFiveMethodsUnlessTold) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const json file = bench(folder, {"--queries", "all", "--caches", "hot", "--frames", "4:7"});
-  std::vector<std::string> names;
-  for (const json& method : file["scenes"][0]["methods"]) names.push_back(method["method"]);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"paper", "paper_eager", "eager", "on_demand", "rigid"}));
-}
-
-TEST(Lab, NamesItselfWhereAnAnswerDiffersFromTheFile) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const std::vector<std::string> options = {"--methods", "on_demand", "--queries", "all",
-                                            "--caches",  "hot",       "--frames",  "4:7"};
-  json file = bench(folder, options);
-  file["scenes"][0]["methods"][0]["hash"] = "0123456789abcdef";
-  write_text(folder / "a.json", file.dump());
-  std::vector<std::string> words = {"bench", "scene.json", "--repeat", "1", "--against", "a.json"};
-  words.insert(words.end(), options.begin(), options.end());
-  const Ended run = run_pelt(folder, words);
-  EXPECT_EQ(run.exit_code, 3);
-  EXPECT_EQ(run.err.find("pelt-lab: error: 1 answer different from a.json"), 0u) << run.err;
-}
-
 TEST(Lab, BenchesEveryMethodBesideRigid) {
   const TestFolder folder;
   write_limbs(folder);
@@ -107,16 +82,6 @@ TEST(Lab, BenchesEveryMethodBesideRigid) {
   const std::size_t columns = again.out.find("of rigid");
   ASSERT_NE(columns, std::string::npos) << "in the table of times";
   EXPECT_NE(again.out.find("of rigid", columns + 1), std::string::npos) << "in the comparison";
-}
-
-TEST(Lab, BenchesUnitedBoxesBetweenFrames) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const json file = bench(folder, {"--moving"});
-  std::vector<std::string> names;
-  for (const json& method : file["scenes"][0]["methods"])
-    if (method["query"] == "times") names.push_back(method["method"]);
-  EXPECT_EQ(names, (std::vector<std::string>{"eager", "united", "on_demand"}));
 }
 
 }  // namespace

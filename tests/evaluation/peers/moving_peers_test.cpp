@@ -1,8 +1,8 @@
 /// FCL's continuous collision detection does the work that it is measured for, and its misses are
 /// counted.
 
+#include "evaluation/methods/moving_methods.hpp"
 #include "evaluation/peers/moving_peer_figures.hpp"
-#include "tools/pelt/methods/moving_methods.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ scenes::Scene walkers() {
 
 TEST(MovingPeers, FclFindsWhatBeginsDuringAStepInMillimetres) {
   const scenes::Scene scene = walkers();
-  const auto steps = tools::bench::choose_steps(scene, std::nullopt);
+  const auto steps = lab::choose_steps(scene, std::nullopt);
   const auto colliders =
       tools::scene::make_colliders(scene, tools::scene::Granularity::instance, {});
   ASSERT_TRUE(steps && colliders);

@@ -1,23 +1,36 @@
+/// `pelt bench`: its tables, its figures as JSON, and what it refuses.
+
 #include "tools/test_scenes.hpp"
 
 #include <iterator>
+#include <regex>
 #include <set>
 
 namespace pelt::test {
 namespace {
 
-json figures(const TestFolder& folder, std::vector<std::string> options) {
-  options.insert(options.begin(), {"bench", "scene.json", "--repeat", "1", "--json", "a.json"});
-  const Ended run = run_pelt(folder, options);
+Ended bench(const TestFolder& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), {"bench", "--repeat", "1"});
+  return run_pelt(folder, words);
+}
+
+json figures_of(const TestFolder& folder, std::vector<std::string> words) {
+  words.insert(words.end(), {"--json", "a.json"});
+  const Ended run = bench(folder, words);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   return json::parse(read_text(folder / "a.json"));
+}
+
+json figures(const TestFolder& folder, std::vector<std::string> options) {
+  options.insert(options.begin(), "scene.json");
+  return figures_of(folder, options);
 }
 
 TEST(Bench, WritesFiguresOfEveryMethod) {
   const TestFolder folder;
   write_limbs(folder);
   const json file = figures(folder, {"--methods", "paper,on_demand,eager,brute", "--queries", "all",
-                                     "--caches", "hot", "--frames", "2:11:2"});
+                                     "--frames", "2:11:2"});
   EXPECT_EQ(file["format"], "pelt-bench");
   EXPECT_EQ(file["version"], 1);
   EXPECT_TRUE(file["machine"].contains("cpu"));
@@ -43,18 +56,17 @@ TEST(Bench, WritesFiguresOfEveryMethod) {
   EXPECT_EQ(scene["methods"][2]["method"], "eager");
 }
 
-TEST(Bench, MeasuresThreeMethodsTwoQueriesAndTwoCachesByDefault) {
+TEST(Bench, MeasuresThreeMethodsAndTwoQueriesByDefault) {
   const TestFolder folder;
   write_limbs(folder);
   const json file = figures(folder, {});
-  const json& methods = file["scenes"][0]["methods"];
-  ASSERT_EQ(methods.size(), 12u);
   std::set<json> different;
-  for (const json& method : methods)
+  for (const json& method : file["scenes"][0]["methods"])
     different.insert(json::array({method["method"], method["query"], method["cache"]}));
-  EXPECT_EQ(different.size(), 12u);
+  std::set<json> expected;
   for (const char* name : {"paper", "eager", "on_demand"})
-    EXPECT_EQ(different.count(json::array({name, "first", "cold"})), 1u) << name;
+    for (const char* query : {"all", "first"}) expected.insert(json::array({name, query, "hot"}));
+  EXPECT_EQ(different, expected);
 }
 
 TEST(Bench, RefusesASceneWithoutAPair) {
@@ -76,9 +88,9 @@ TEST(Bench, QueriesACrowdOnTheGivenThreads) {
   const json file = figures(folder, {"--methods", "paper,on_demand", "--threads", "2,1,2,3"});
   const json& scene = file["scenes"][0];
   EXPECT_EQ(scene["time"], "wall");
-  ASSERT_EQ(scene["methods"].size(), 16u);
+  ASSERT_EQ(scene["methods"].size(), 8u);
   const std::uint32_t threads[] = {1, 2, 1, 3};
-  for (std::size_t i = 0; i < 16; ++i) {
+  for (std::size_t i = 0; i < 8; ++i) {
     const json& method = scene["methods"][i];
     EXPECT_EQ(method["method"], i % 4 == 0 ? "paper" : "on_demand");
     EXPECT_EQ(method["asked"], i % 4 == 0 ? "pairs" : "crowd");
@@ -101,9 +113,9 @@ TEST(Bench, ComparesThreadsWithOne) {
   const TestFolder folder;
   write_limbs(folder);
   const auto ratios = [&](const char* threads) {
-    const Ended run = run_pelt(
-        folder, {"bench", "scene.json", "--repeat", "1", "--methods", "eager,on_demand",
-                 "--queries", "all", "--caches", "hot", "--frames", "4:7", "--threads", threads});
+    const Ended run =
+        run_pelt(folder, {"bench", "scene.json", "--repeat", "1", "--methods", "eager,on_demand",
+                          "--queries", "all", "--frames", "4:7", "--threads", threads});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.out.find("wall time"), std::string::npos);
     std::vector<std::string> found;
@@ -135,7 +147,7 @@ TEST(Bench, HashIsThatOfCheck) {
 TEST(Bench, FirstNeedsLessWork) {
   const TestFolder folder;
   write_limbs(folder);
-  const json file = figures(folder, {"--methods", "paper,eager", "--caches", "hot"});
+  const json file = figures(folder, {"--methods", "paper,eager"});
   const json& methods = file["scenes"][0]["methods"];
   for (const int e : {0, 1}) {
     const json &all = methods[e], &first = methods[e + 2];
@@ -150,9 +162,8 @@ TEST(Bench, FirstNeedsLessWork) {
 TEST(Bench, FramesWithoutContactHaveNoMean) {
   const TestFolder folder;
   write_limbs(folder);
-  const json file = figures(folder, {"--methods", "paper", "--caches", "cold", "--frames", "0:1"});
+  const json file = figures(folder, {"--methods", "paper", "--frames", "0:1"});
   const json& method = file["scenes"][0]["methods"][0];
-  EXPECT_EQ(method["cache"], "cold");
   EXPECT_EQ(method["mean_contact_us"], json());
 }
 
@@ -168,9 +179,9 @@ TEST(Bench, PrintsTablesForEachScene) {
                          [&](const std::string& line) { return line.rfind(begin, 0) == 0; });
   };
   EXPECT_EQ(count("scene.json: "), 2);
-  EXPECT_EQ(count("query "), 8);
-  EXPECT_EQ(count("on_demand "), 12);  // four tables of times and two lines of work for each scene
-  EXPECT_EQ(count("all "), 2);         // vertices skinned
+  EXPECT_EQ(count("query "), 4);
+  EXPECT_EQ(count("on_demand "), 8);  // two tables of times and two lines of work for each scene
+  EXPECT_EQ(count("all "), 2);        // vertices skinned
   for (const char* words : {"in contact", "update", "posed vertices", "by every", "vs paper",
                             "vs eager", "bytes per triangle", "ns per vertex"}) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words;
@@ -190,6 +201,221 @@ TEST(Bench, SaysThatFewRepetitionsAreARoughLook) {
   EXPECT_TRUE(is_rough("1"));
   EXPECT_TRUE(is_rough("8"));
   EXPECT_FALSE(is_rough("9"));
+}
+
+TEST(Bench, FileThatCannotBeWrittenIsRefusedBeforeAnyIsMeasured) {
+  const TestFolder folder;
+  write_limbs(folder);
+  for (const char* path : {"no/folder/figures.json", "."}) {
+    const Ended run = bench(folder, {"scene.json", "--json", path});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(std::string(path) + ": cannot be written"), std::string::npos);
+  }
+}
+
+/// If measuring fails, no new file remains and no old file changes.
+TEST(Bench, FileIsAsItWasAfterAFailure) {
+  const TestFolder folder;
+  write_text(folder / "old.json", "precious");
+  for (const char* path : {"old.json", "new.json"})
+    EXPECT_EQ(bench(folder, {"none.json", "--json", path}).exit_code, 2);
+  EXPECT_EQ(read_text(folder / "old.json"), "precious");
+  EXPECT_FALSE(std::filesystem::exists(folder / "new.json"));
+}
+
+// --- characters against themselves
+
+Ended bench_self(const TestFolder& folder, std::vector<std::string> words) {
+  words.insert(words.end(), {"--frames", "0:3"});
+  return bench(folder, words);
+}
+
+json self_figures(const TestFolder& folder, std::vector<std::string> words) {
+  words.insert(words.end(), {"--frames", "0:3"});
+  return figures_of(folder, words);
+}
+
+TEST(BenchSelf, MeasuresAModelAgainstItself) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const json file =
+      self_figures(folder, {"strip.glb", "--clip", "bend", "--methods", "boxes,self,brute"});
+  const json& scene = file["scenes"][0];
+  EXPECT_EQ(scene["scene"], "strip.glb bend");
+  EXPECT_EQ(scene["frames_in_contact"], 3);
+  EXPECT_GT(scene["models"]["self_filter_bytes"], 0);
+  EXPECT_GT(scene["models"]["self_filter_build_seconds"], 0);
+  EXPECT_GT(scene["sequence"]["self_us"], 0);
+  EXPECT_GT(scene["sequence"]["tracked_us"], 0);
+  const json& methods = scene["methods"];
+  ASSERT_EQ(methods.size(), 6u);
+  for (std::size_t e = 0; e < 6; ++e) {
+    EXPECT_EQ(methods[e]["asked"], e % 3 == 0 ? "none" : "self");
+    EXPECT_EQ(methods[e]["query"], e < 3 ? "all" : "first");
+    EXPECT_EQ(methods[e]["hash"], methods[e < 3 ? 0 : 3]["hash"]);
+    EXPECT_GT(methods[e]["mean_us"], 0);
+    EXPECT_EQ(methods[e]["counters"]["triangle_pairs"] > 0, e % 3 != 0);
+  }
+  EXPECT_NE(methods[0]["hash"], methods[3]["hash"]);
+}
+
+TEST(BenchSelf, HashIsThatOfCheckWithoutFilters) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const json file = self_figures(folder, {"strip.glb", "--clip", "bend"});
+  const Ended check =
+      run_pelt(folder, {"check", "strip.glb", "--clip", "bend", "--frames", "0:3", "--self-rings",
+                        "0", "--self-at-rest", "keep", "--self-near-joints", "keep"});
+  EXPECT_EQ(check.exit_code, 1) << check.err;
+  EXPECT_NE(check.out.find(file["scenes"][0]["methods"][0]["hash"].get<std::string>()),
+            std::string::npos)
+      << check.out;
+}
+
+/// The words of the rows of `method` in all tables of times.
+std::vector<std::vector<std::string>> rows_of(const std::string& text, const std::string& method) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& line : lines_of(text)) {
+    std::istringstream stream(line);
+    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    if (words.size() > 6 && words[0] == method && words[1] == "1") rows.push_back(words);
+  }
+  return rows;
+}
+
+TEST(BenchSelf, PrintsCostsOverBoxes) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const Ended run = bench_self(folder, {"strip.glb", "--clip", "bend"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const char* words : {"self filters: built in ", "of boxes", "vs all", "by every method",
+                            "frames in order, all contacts: self "})
+    EXPECT_NE(run.out.find(words), std::string::npos) << words;
+  for (const char* words : {"vs paper", "vs eager", "vs 1 thread", "of rigid"})
+    EXPECT_EQ(run.out.find(words), std::string::npos) << words;
+  const auto boxes = rows_of(run.out, "boxes"), self = rows_of(run.out, "self");
+  ASSERT_EQ(boxes.size(), 2u);
+  ASSERT_EQ(self.size(), 2u);
+  EXPECT_EQ(boxes[0].back(), "1.00");
+  EXPECT_GT(std::stod(self[0].back()), 0);
+  EXPECT_EQ(self[1].size(), self[0].size() + 1) << "only first contacts are compared with all";
+}
+
+TEST(BenchSelf, PlaysTheClipAtTheChosenRate) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  const auto frames = [&](const char* fps) {
+    const json file = figures_of(folder, {"strip.glb", "--clip", "bend", "--fps", fps});
+    return file["scenes"][0]["frames"].get<int>();
+  };
+  EXPECT_EQ(frames("60"), 2 * frames("30"));
+}
+
+TEST(BenchSelf, MeasuresEachInstanceOfAScene) {
+  const TestFolder folder;
+  write_limbs(folder);
+  const json file = self_figures(folder, {"scene.json", "--self"});
+  const json& scene = file["scenes"][0];
+  EXPECT_EQ(scene["scene"], "scene.json --self");
+  ASSERT_EQ(scene["methods"].size(), 4u);
+  EXPECT_EQ(scene["methods"][1]["method"], "self");
+  EXPECT_GT(scene["methods"][1]["counters"]["posed_vertices"], 0);
+}
+
+TEST(BenchSelf, RefusesWhatItCannotMeasure) {
+  const TestFolder folder;
+  write_strip(folder, "strip.glb");
+  write_limbs(folder);
+  const std::pair<std::vector<std::string>, const char*> refused[] = {
+      {{"strip.glb", "scene.json"}, "add --self, or start a run for each"},
+      {{"scene.json", "--clip", "sway"}, "--clip: applies to models, not to a scene file"},
+      {{"strip.glb", "--clip", "bend", "--clip", "bend"}, "at most once per model"},
+      {{"strip.glb", "--clip", "bent"}, "did you mean \"bend\""},
+      {{"strip.glb", "--methods", "paper"}, "--methods: unknown value \"paper\""},
+      {{"scene.json", "--methods", "boxes"}, "--methods: unknown value \"boxes\""},
+      {{"strip.glb", "--threads", "2"}, "for pairs of instances"},
+  };
+  for (const auto& [words, message] : refused) {
+    const Ended run = bench_self(folder, words);
+    EXPECT_EQ(run.exit_code, 2) << words[0];
+    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+// --- figures as JSON, as the manual page and the help list them
+
+using Paths = std::set<std::string>;
+
+/// Collects the paths of numbers, texts and nulls: "scenes[].methods[].mean_us".
+void collect_paths(const json& value, const std::string& path, Paths& paths) {
+  if (value.is_array()) {
+    for (const json& element : value) collect_paths(element, path + "[]", paths);
+  } else if (value.is_object()) {
+    for (const auto& [key, member] : value.items())
+      collect_paths(member, path.empty() ? key : path + "." + key, paths);
+  } else {
+    paths.insert(path);
+  }
+}
+
+Paths paths_of(const json& value) {
+  Paths paths;
+  collect_paths(value, "", paths);
+  return paths;
+}
+
+Paths written_paths(const TestFolder& folder) {
+  write_limbs(folder);
+  return paths_of(figures(folder, {"--methods", "on_demand", "--frames", "4:6", "--threads", "1"}));
+}
+
+/// The same, and what is written only for a character against itself.
+Paths all_paths(const TestFolder& folder) {
+  Paths paths = written_paths(folder);
+  paths.merge(paths_of(figures_of(folder, {"one.glb"})));
+  return paths;
+}
+
+/// The section of the manual page on figures.
+std::string manual_section() {
+  const std::string page = read_text(std::string(PELT_DOCS_DIR) + "/pelt.1");
+  const std::size_t begin = page.find(".SS \"Figures (");
+  const std::size_t end = page.find("\n.S", begin + 1);
+  return std::regex_replace(page.substr(begin, end - begin), std::regex("\\\\-"), "-");
+}
+
+/// The fields that a section of the manual page describes.
+Paths described_in(const std::string& section) {
+  const std::regex item("\\.TP\n\\.B (\\S+)\n");
+  Paths told;
+  for (std::sregex_iterator match(section.begin(), section.end(), item), end; match != end; ++match)
+    EXPECT_TRUE(told.insert((*match)[1]).second) << (*match)[1] << " is told twice";
+  return told;
+}
+
+TEST(BenchJson, ManualDescribesEveryFieldAndNoOther) {
+  const TestFolder folder;
+  EXPECT_EQ(described_in(manual_section()), all_paths(folder));
+}
+
+TEST(BenchJson, ManualsExampleHasTheFieldsThatAreWritten) {
+  const TestFolder folder;
+  const std::string section = manual_section();
+  const std::size_t begin = section.find(".nf\n") + 4;
+  const json example = json::parse(section.substr(begin, section.find(".fi", begin) - begin));
+  EXPECT_EQ(paths_of(example), written_paths(folder));
+}
+
+TEST(BenchJson, HelpNamesEveryField) {
+  const TestFolder folder;
+  const std::string help = run_pelt(folder, {"bench", "--help"}).out;
+  const std::string fields = help.substr(help.find("--json writes"));
+  for (const std::string& path : all_paths(folder)) {
+    const std::string name = path.substr(path.find_last_of('.') + 1);
+    EXPECT_TRUE(std::regex_search(fields, std::regex("\\b" + name + "\\b"))) << name;
+  }
 }
 
 }  // namespace

@@ -160,12 +160,6 @@ TEST(OutputConflicts, AreNotTheBaseline) {
         << run.err;
   }
   EXPECT_TRUE(folder.contents() == before);
-  Words bench = writers().back().words;
-  ASSERT_EQ(run_pelt(folder.get(), with(bench, "figures.json")).exit_code, 0);
-  bench.insert(bench.end() - 1, {"--against", "figures.json"});
-  const Ended run = run_pelt(folder.get(), with(bench, "figures.json"));
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("--json: figures.json is what --against"), std::string::npos) << run.err;
 }
 
 TEST(OutputConflicts, OfADemoAreFilesOfTheirOwn) {

@@ -10,6 +10,7 @@ namespace pelt::test {
 /// Two small creatures that walk through each other.
 inline scenes::Scene walkers() {
   scenes::Scene scene;
+  scene.name = "walkers";
   for (const scenes::CreatureOptions& options :
        {scenes::CreatureOptions{1000, 24, 1}, scenes::CreatureOptions{1200, 45, 2}}) {
     Result<scenes::Character> character = scenes::generate_character(options);

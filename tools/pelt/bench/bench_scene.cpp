@@ -1,13 +1,10 @@
 #include "tools/pelt/bench/bench_scene.hpp"
 
-#include "asset/printable.hpp"
-#include "tools/pelt/bench/bench_frames.hpp"
-#include "tools/pelt/bench/bench_self.hpp"
-#include "tools/pelt/bench/stopwatch.hpp"
+#include "text/format.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/output/progress.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <set>
@@ -53,19 +50,6 @@ Result<Prepared> prepare(const scenes::Scene& scene, const arguments::ModelArgum
 
 using Answers = std::vector<Answer>;  // [questions]
 
-/// Whether a method gives the answers of the reference. Prints a message if not.
-bool agrees(const std::string& where, const std::string& method, const Answers& answers,
-            const std::string& reference_name, const Answers& reference, std::ostream& errors) {
-  for (std::size_t q = 0; q < answers.size(); ++q) {
-    if (answers[q].hash == reference[q].hash) continue;
-    errors << where << ": " << method << " gives the hash " << output::hex16(answers[q].hash)
-           << ", " << reference_name << " gives " << output::hex16(reference[q].hash)
-           << ": please report this with the scene\n";
-    return false;
-  }
-  return true;
-}
-
 /// The answers of the reference, with the work of a method that answers nothing: all figures of a
 /// query have the same hash.
 Answers with_work_of(const Answers& answers, Answers reference) {
@@ -73,12 +57,19 @@ Answers with_work_of(const Answers& answers, Answers reference) {
   return reference;
 }
 
+/// The first question to which a method gives another answer than the reference, or the number of
+/// questions.
+std::size_t first_difference(const Answers& answers, const Answers& expected) {
+  const auto is_same = [](const Answer& a, const Answer& b) { return a.hash == b.hash; };
+  return static_cast<std::size_t>(
+      std::mismatch(answers.begin(), answers.end(), expected.begin(), is_same).first -
+      answers.begin());
+}
+
 /// Returns the answers [methods], or an empty list if methods disagree.
 Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings& settings,
                                      std::ostream& errors) {
   const BenchMethod reference = reference_of(subject, settings);
-  const std::string where =
-      settings.program + ": internal error: " + asset::printable(subject.scene.name);
   const Result<Answers> expected = answer(subject, reference, settings.questions);
   if (!expected) return expected.error();
   std::vector<Answers> all;
@@ -90,7 +81,10 @@ Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings
       all.push_back(with_work_of(*answers, *expected));
       continue;
     }
-    if (!agrees(where, method.name, *answers, reference.name, *expected, errors)) {
+    const std::size_t q = first_difference(*answers, *expected);
+    if (q < answers->size()) {
+      print_disagreement(settings.program, subject.scene, method.name, (*answers)[q].hash, "",
+                         reference.name, (*expected)[q].hash, errors);
       return std::vector<Answers>();
     }
     all.push_back(*answers);
@@ -101,7 +95,7 @@ Result<std::vector<Answers>> ask_all(const Subject& subject, const BenchSettings
 std::vector<Variant> variants_of(const BenchSettings& settings) {
   std::vector<Variant> variants;
   for (const Question question : settings.questions)
-    for (const Cache cache : settings.caches) variants.push_back({question, cache});
+    for (const Cache& cache : settings.caches) variants.push_back({question, cache});
   return variants;
 }
 
@@ -115,30 +109,20 @@ Result<std::vector<Figures>> measure_all(const Subject& subject, const BenchSett
   std::vector<Figures> figures;
   for (std::size_t v = 0; v < variants.size(); ++v) {
     const std::size_t question = v / settings.caches.size();
-    for (std::size_t e = 0; e < settings.methods.size(); ++e) {
-      const BenchMethod& method = settings.methods[e];
-      figures.push_back({method.name, method.asked, method.threads, variants[v],
-                         answers[e][question], (*times)[e][v]});
+    for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+      const BenchMethod& method = settings.methods[m];
+      figures.push_back({method.name, method.asked, method.threads, variants[v].question,
+                         variants[v].cache.name, answers[m][question], (*times)[m][v]});
     }
   }
   return figures;
 }
 
-/// Measures what only instances against themselves have.
-Result<void> add_self_figures(const Subject& subject, SceneFigures& scene) {
-  const auto filters = measure_self_filters(subject.colliders);
-  if (!filters) return filters.error();
-  const auto sequence = measure_sequence(subject, scene.repetitions);
-  if (!sequence) return sequence.error();
-  scene.self_filters = *filters;
-  scene.sequence = *sequence;
-  return {};
-}
-
 }  // namespace
 
-Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchSettings& settings,
-                                        std::vector<SceneFigures>& figures, std::ostream& errors) {
+Result<std::optional<SceneFigures>> bench_scene(const scenes::Scene& scene,
+                                                const BenchSettings& settings,
+                                                std::ostream& errors) {
   if (!settings.is_self) {
     const auto checked =
         require_two_instances(scene, ", or measure each instance against itself with --self");
@@ -151,27 +135,39 @@ Result<arguments::ExitCode> bench_scene(const scenes::Scene& scene, const BenchS
   const Subject subject = {scene, prepared->colliders, *frames};
   const auto answers = ask_all(subject, settings, errors);
   if (!answers) return answers.error();
-  if (answers->empty()) return arguments::ExitCode::internal;
-  const auto measured = measure_all(subject, settings, *answers);
+  if (answers->empty()) return std::optional<SceneFigures>();
+  SceneFigures figures = {scene.name,
+                          0,
+                          frames->size(),
+                          settings.repetitions,
+                          time_of(settings.methods),
+                          prepared->models,
+                          {},
+                          {},
+                          {}};
+  for (const scene::Collider& collider : prepared->colliders)
+    figures.triangles += collider.model.triangle_count();
+  auto measured = measure_all(subject, settings, *answers);
   if (!measured) return measured.error();
+  figures.figures = std::move(*measured);
   const Result<Skinning> skinning = measure_skinning(subject, settings.repetitions);
   if (!skinning) return skinning.error();
-  std::uint64_t triangles = 0;
-  for (const scene::Collider& collider : prepared->colliders)
-    triangles += collider.model.triangle_count();
-  figures.push_back({scene.name,
-                     triangles,
-                     frames->size(),
-                     settings.repetitions,
-                     time_of(settings.methods),
-                     prepared->models,
-                     {},
-                     *skinning,
-                     {},
-                     *measured});
-  if (settings.is_self)
-    if (const auto added = add_self_figures(subject, figures.back()); !added) return added.error();
-  return arguments::ExitCode::success;
+  figures.skinning = *skinning;
+  if (settings.is_self) {
+    const Result<SelfFigures> self = measure_self(subject, settings.repetitions);
+    if (!self) return self.error();
+    figures.self = *self;
+  }
+  return std::optional(std::move(figures));
+}
+
+void print_disagreement(const std::string& program, const scenes::Scene& scene,
+                        const std::string& method, std::uint64_t hash, const std::string& question,
+                        const std::string& reference, std::uint64_t expected,
+                        std::ostream& errors) {
+  errors << program << ": internal error: " << text::printable(scene.name) << ": " << method
+         << " gives the hash " << text::hex16(hash) << question << ", " << reference << " gives "
+         << text::hex16(expected) << ": please report this with the scene\n";
 }
 
 }  // namespace pelt::tools::bench

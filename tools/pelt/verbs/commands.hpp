@@ -1,11 +1,10 @@
 #pragma once
 
 /// The verbs of the command, each in a file of its own. Each function adds its verb to `app`; if
-/// the command line names the verb, sets `chosen` to its command. `check`, `merge` and `bench` get
-/// the methods of the program.
+/// the command line names the verb, sets `chosen` to its command. `check` and `merge` get the
+/// methods of the program.
 
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/bench/bench_methods.hpp"
 #include "tools/pelt/methods/method.hpp"
 
 namespace pelt::tools::verbs {
@@ -21,6 +20,6 @@ void add_info(CLI::App& app, arguments::Command& chosen);
 void add_prepare(CLI::App& app, arguments::Command& chosen);
 void add_pose(CLI::App& app, arguments::Command& chosen);
 void add_demo(CLI::App& app, arguments::Command& chosen);
-void add_bench(CLI::App& app, arguments::Command& chosen, const bench::BenchMethods& methods);
+void add_bench(CLI::App& app, arguments::Command& chosen);
 
 }  // namespace pelt::tools::verbs
