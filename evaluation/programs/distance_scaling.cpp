@@ -4,7 +4,7 @@
 /// may use the machine. Prints nothing if answers differ.
 
 #include "distance/pair_search.hpp"
-#include "evaluation/programs/microseconds.hpp"
+#include "evaluation/programs/program.hpp"
 #include "evaluation/programs/walking_crowd.hpp"
 #include "model/model.hpp"
 #include "pose/eager_pose.hpp"
@@ -12,8 +12,6 @@
 #include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/distance.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -142,27 +140,25 @@ bool measure(Walkers& walkers, const WalkPhases& phases, const Arguments& argume
   return true;
 }
 
-int fail(const std::string& message) {
-  std::cerr << "distance_scaling: " << message << '\n';
-  return 1;
-}
+constexpr Program kProgram = {"distance_scaling",
+                              "Measure the distance of two walkers, on demand and eagerly"};
 
 int run(const Arguments& arguments) {
   const Result<scenes::Character> character = scenes::load_character(arguments.input);
-  if (!character) return fail(character.error().message);
+  if (!character) return fail(kProgram, character.error().message);
   const WalkPhases phases(character->asset);
   const std::vector<Matrix4> samples = phases.samples();
   const Result<SkinnedModel> model =
       build_model(character->asset.mesh(),
                   {.off_weights = OffWeights::renormalise, .sample_palettes = samples});
-  if (!model) return fail(model.error().message);
+  if (!model) return fail(kProgram, model.error().message);
   Walkers walkers(*model);
-  if (!measure(walkers, phases, arguments)) return fail("the answers differ");
+  if (!measure(walkers, phases, arguments)) return fail(kProgram, "the answers differ");
   return 0;
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Measure the distance of two walkers, on demand and eagerly");
+  CLI::App app(kProgram.description);
   Arguments arguments;
   app.add_option("INPUT", arguments.input, "A character (.glb) that walks")->required();
   app.add_option("--metre", arguments.metre, "Length of a metre in units of the character");

@@ -5,14 +5,11 @@
 
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/embree_mesh.hpp"
-#include "evaluation/programs/measure_each.hpp"
-#include "evaluation/programs/microseconds.hpp"
+#include "evaluation/programs/program.hpp"
 #include "evaluation/programs/query_stage.hpp"
 
 #include <pelt/collide.hpp>
 #include <pelt/ray.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +22,6 @@ namespace pelt::programs {
 namespace {
 
 struct Arguments {
-  std::vector<std::string> models;
   std::uint32_t frames = 20, rays = 64, runs = 5;
 };
 
@@ -181,21 +177,13 @@ bool have_similar_hits(const std::vector<Sample>& a, const std::vector<Sample>& 
   return true;
 }
 
-Result<void> measure_model(const std::string& path, const Arguments& arguments) {
-  const Result<scenes::Character> character =
-      path.empty() ? scenes::generate_character(scenes::CreatureOptions{})
-                   : scenes::load_character(path);
-  if (!character) return character.error();
-  const Result<SkinnedModel> model =
-      build_model(character->asset.mesh(), {.off_weights = OffWeights::renormalise});
-  if (!model) return model.error();
-  const QueryStage stage(character->asset, *model, arguments.frames, arguments.rays);
-  const std::vector<Triangle>& triangles = character->asset.triangles;
-  const std::vector<GivenFrame> frames = given_frames(stage, *model, triangles);
-  std::printf("%s: %zu triangles\n", path.empty() ? "the generated character" : path.c_str(),
-              triangles.size());
+Result<void> measure_model(const Subject& subject, const Arguments& arguments) {
+  const QueryStage stage(subject.character.asset, subject.model, arguments.frames, arguments.rays);
+  const std::vector<Triangle>& triangles = subject.character.asset.triangles;
+  const std::vector<GivenFrame> frames = given_frames(stage, subject.model, triangles);
+  std::printf("%s: %zu triangles\n", subject.name.c_str(), triangles.size());
 
-  PeltBodies pelt(*model);
+  PeltBodies pelt(subject.model);
   const auto expected = measure("contacts, Pelt", frames, arguments.runs,
                                 [&](const GivenFrame& f, Sample& s) { pelt.collide(f, s); });
   const auto beside = [&](const char* name, std::unique_ptr<rivals::PosedMeshMethod> method) {
@@ -210,7 +198,7 @@ Result<void> measure_model(const std::string& path, const Arguments& arguments) 
 
   const auto hits = measure("rays, Pelt", frames, arguments.runs,
                             [&](const GivenFrame& f, Sample& s) { pelt.cast(f, s); });
-  EmbreeRays embree(triangles, model->vertex_count());
+  EmbreeRays embree(triangles, subject.model.vertex_count());
   const auto embree_hits = measure("rays, Embree", frames, arguments.runs,
                                    [&](const GivenFrame& f, Sample& s) { embree.cast(f, s); });
   if (!have_similar_hits(embree_hits, hits)) std::puts("  other hits than Pelt");
@@ -218,16 +206,17 @@ Result<void> measure_model(const std::string& path, const Arguments& arguments) 
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Measure queries of given vertices beside other libraries");
   Arguments arguments;
-  app.add_option("MODELS", arguments.models, "Characters (.glb); default: the generated one");
-  app.add_option("--frames", arguments.frames, "Frames along the first clip")
-      ->capture_default_str();
-  app.add_option("--rays", arguments.rays, "Rays of a frame")->capture_default_str();
-  app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  return measure_each("given_vertices", arguments.models,
-                      [&](const std::string& model) { return measure_model(model, arguments); });
+  const auto add_options = [&](CLI::App& app) {
+    app.add_option("--frames", arguments.frames, "Frames along the first clip")
+        ->capture_default_str();
+    app.add_option("--rays", arguments.rays, "Rays of a frame")->capture_default_str();
+    app.add_option("--runs", arguments.runs, "Runs of which the best counts")
+        ->capture_default_str();
+  };
+  return measure_characters(
+      {"given_vertices", "Measure queries of given vertices beside other libraries"}, argc, argv,
+      add_options, [&](const Subject& subject) { return measure_model(subject, arguments); });
 }
 
 }  // namespace

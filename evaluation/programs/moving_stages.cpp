@@ -5,8 +5,8 @@
 /// or none reach the exact stage, so its time is that of a sample of all pairs. Nothing is printed
 /// if a stage contradicts the filtered test.
 
-#include "evaluation/programs/microseconds.hpp"
 #include "evaluation/programs/moving_stage.hpp"
+#include "evaluation/programs/program.hpp"
 #include "motion/moving_tree.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/statistics.hpp"
@@ -14,8 +14,6 @@
 #include "tools/pelt/scene/palettes.hpp"
 
 #include <pelt/config.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <functional>
@@ -217,32 +215,30 @@ class SteppedScene {
   detail::Stack<MovingCandidate> candidates_;
 };
 
-int fail(const std::string& message) {
-  std::fprintf(stderr, "moving_stages: %s\n", message.c_str());
-  return 1;
-}
+constexpr Program kProgram = {
+    "moving_stages", "Measure the stages of the test of moving triangles on the steps of a scene"};
 
 int run(const Arguments& arguments) {
   const Result<scenes::Scene> scene = scenes::load_scene(arguments.scene);
-  if (!scene) return fail(scene.error().message);
+  if (!scene) return fail(kProgram, scene.error().message);
   const auto colliders =
       tools::scene::make_colliders(*scene, tools::scene::Granularity::instance, {});
-  if (!colliders) return fail(colliders.error().message);
+  if (!colliders) return fail(kProgram, colliders.error().message);
   SteppedScene stepped(*scene, *colliders);
   StageCosts costs(arguments.runs);
   for (std::uint32_t frame = arguments.first;
        frame + 1 < scene->frame_count && frame - arguments.first < arguments.steps; ++frame) {
     const Result<bool> agrees =
         stepped.visit_step(frame, [&](Candidates candidates) { return costs.add(candidates); });
-    if (!agrees) return fail(agrees.error().message);
-    if (!*agrees) return fail("the answers differ in frame " + std::to_string(frame));
+    if (!agrees) return fail(kProgram, agrees.error().message);
+    if (!*agrees) return fail(kProgram, "the answers differ in frame " + std::to_string(frame));
   }
   costs.print(scene->name);
   return 0;
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Measure the stages of the test of moving triangles on the steps of a scene");
+  CLI::App app(kProgram.description);
   Arguments arguments;
   app.add_option("SCENE", arguments.scene, "A scene file (.json)")->required();
   app.add_option("--first", arguments.first, "Frame with which the first step begins");

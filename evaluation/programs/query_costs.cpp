@@ -6,16 +6,13 @@
 /// is the best of several runs. Nothing is printed for a query if two ways give different answers,
 /// except for Embree, which is not exact: the program counts its errors above a 10,000th.
 
-#include "evaluation/programs/measure_each.hpp"
-#include "evaluation/programs/microseconds.hpp"
+#include "evaluation/programs/program.hpp"
 #include "evaluation/programs/query_stage.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/inside.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +31,6 @@ namespace {
 using tools::output::median;
 
 struct Arguments {
-  std::vector<std::string> models;
   std::uint32_t frames = 12, points = 1000, runs = 5;
 };
 
@@ -279,30 +275,24 @@ class Costs {
   ContactGeometry geometry_;
 };
 
-Result<void> measure_model(const std::string& path, const Arguments& arguments) {
-  const Result<scenes::Character> character =
-      path.empty() ? scenes::generate_character(scenes::CreatureOptions{})
-                   : scenes::load_character(path);
-  if (!character) return character.error();
-  const Result<SkinnedModel> model =
-      build_model(character->asset.mesh(), {.off_weights = OffWeights::renormalise});
-  if (!model) return model.error();
-  std::printf("%s: ", path.empty() ? "the generated character" : path.c_str());
-  Costs(*character, *model, arguments).measure_all();
+Result<void> measure_model(const Subject& subject, const Arguments& arguments) {
+  std::printf("%s: ", subject.name.c_str());
+  Costs(subject.character, subject.model, arguments).measure_all();
   return {};
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Measure queries of posed characters, including posing");
   Arguments arguments;
-  app.add_option("MODELS", arguments.models, "Characters (.glb); default: the generated one");
-  app.add_option("--frames", arguments.frames, "Frames along the first clip")
-      ->capture_default_str();
-  app.add_option("--points", arguments.points, "Points of a batch")->capture_default_str();
-  app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  return measure_each("query_costs", arguments.models,
-                      [&](const std::string& model) { return measure_model(model, arguments); });
+  const auto add_options = [&](CLI::App& app) {
+    app.add_option("--frames", arguments.frames, "Frames along the first clip")
+        ->capture_default_str();
+    app.add_option("--points", arguments.points, "Points of a batch")->capture_default_str();
+    app.add_option("--runs", arguments.runs, "Runs of which the best counts")
+        ->capture_default_str();
+  };
+  return measure_characters(
+      {"query_costs", "Measure queries of posed characters, including posing"}, argc, argv,
+      add_options, [&](const Subject& subject) { return measure_model(subject, arguments); });
 }
 
 }  // namespace

@@ -6,16 +6,13 @@
 /// aimed at triangles, the others graze the body or miss it. Prints nothing if the two trees give
 /// different answers. Counts the differences of Embree, which is not exact.
 
-#include "evaluation/programs/measure_each.hpp"
-#include "evaluation/programs/microseconds.hpp"
+#include "evaluation/programs/program.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/ray.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +32,6 @@ namespace {
 using tools::output::median;
 
 struct Arguments {
-  std::vector<std::string> models;
   std::uint32_t rays = 1000, poses = 12, runs = 5;
 };
 
@@ -228,25 +224,19 @@ void measure_embree(const Job&, const Arguments&, const Times&, std::span<const 
 
 #endif
 
-Result<void> measure_model(const std::string& path, const Arguments& arguments) {
-  const Result<scenes::Character> character =
-      path.empty() ? scenes::generate_character(scenes::CreatureOptions{})
-                   : scenes::load_character(path);
-  if (!character) return character.error();
-  const Result<SkinnedModel> model =
-      build_model(character->asset.mesh(), {.off_weights = OffWeights::renormalise});
-  if (!model) return model.error();
-  const Job job(character->asset, *model, arguments);
+Result<void> measure_model(const Subject& subject, const Arguments& arguments) {
+  const Job job(subject.character.asset, subject.model, arguments);
 
-  Pose pose(*model), opened(*model);
+  Pose pose(subject.model), opened(subject.model);
   const Way ours = on_demand(pose), whole = eager(opened);
   std::vector<RayHit> hits, whole_hits;
   const Times times = measure(job, ours, arguments.runs, hits);
   const Times whole_times = measure(job, whole, arguments.runs, whole_hits);
   if (hits != whole_hits)
-    return Error{ErrorCode::invalid_argument, path + ": the two trees' answers differ"};
+    return Error{ErrorCode::invalid_argument, subject.name + ": the two trees' answers differ"};
   const auto hit = std::count_if(hits.begin(), hits.end(), [](const RayHit& h) { return bool(h); });
-  std::printf("%s: %u triangles, %.0f of 100 rays hit\n", path.c_str(), model->triangle_count(),
+  std::printf("%s: %u triangles, %.0f of 100 rays hit\n", subject.name.c_str(),
+              subject.model.triangle_count(),
               100 * static_cast<double>(hit) / static_cast<double>(hits.size()));
   print(ours, times, times);
   print(whole, whole_times, times);
@@ -255,15 +245,16 @@ Result<void> measure_model(const std::string& path, const Arguments& arguments) 
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Measure rays at a posed character, including posing");
   Arguments arguments;
-  app.add_option("MODELS", arguments.models, "Characters (.glb); default: the generated one");
-  app.add_option("--rays", arguments.rays, "Number of rays of a batch")->capture_default_str();
-  app.add_option("--poses", arguments.poses, "Poses along the first clip")->capture_default_str();
-  app.add_option("--runs", arguments.runs, "Runs of which the best counts")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  return measure_each("ray_casting", arguments.models,
-                      [&](const std::string& model) { return measure_model(model, arguments); });
+  const auto add_options = [&](CLI::App& app) {
+    app.add_option("--rays", arguments.rays, "Number of rays of a batch")->capture_default_str();
+    app.add_option("--poses", arguments.poses, "Poses along the first clip")->capture_default_str();
+    app.add_option("--runs", arguments.runs, "Runs of which the best counts")
+        ->capture_default_str();
+  };
+  return measure_characters(
+      {"ray_casting", "Measure rays at a posed character, including posing"}, argc, argv,
+      add_options, [&](const Subject& subject) { return measure_model(subject, arguments); });
 }
 
 }  // namespace
