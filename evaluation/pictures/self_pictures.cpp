@@ -5,7 +5,7 @@
 #include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"
 #include "evaluation/pictures/pictures.hpp"
-#include "tools/pelt/scene/self_query.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,8 @@ std::set<Contact> contacts_by(const scenes::Scene& scene, const SelfRules& rules
   if (!colliders) std::abort();
   auto filters = tools::scene::make_self_filters({scene, *colliders}, rules, {0, 1, 1});
   if (!filters) std::abort();
-  tools::scene::SelfQuery query(*colliders, std::move(*filters));
+  auto query = tools::scene::SceneQuery::as_crowd(*colliders, 0,
+                                                  {.pairs = false, .filters = std::move(*filters)});
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   tools::scene::sample_palettes(scene, 0, scratch, palettes);

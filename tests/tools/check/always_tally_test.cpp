@@ -1,4 +1,4 @@
-#include "tools/pelt/check/always_tally.hpp"
+#include "tools/pelt/check/tallies.hpp"
 
 #include "support/random.hpp"
 

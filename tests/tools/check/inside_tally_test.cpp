@@ -1,4 +1,4 @@
-#include "tools/pelt/check/inside_query.hpp"
+#include "tools/pelt/check/tallies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/pelt/check/check_baseline.hpp"
+#include "tools/pelt/check/settings.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,12 +23,10 @@ scenes::Scene scene_of(const std::vector<std::string>& models) {
   return scene;
 }
 
-CheckQuestion asked() {
-  CheckQuestion question;
-  question.method = "on_demand";
-  question.by = "instance";
-  question.frames = {0, 10, 1};
-  return question;
+nlohmann::ordered_json asked() {
+  CheckSettings settings;
+  settings.frames = {0, 10, 1};
+  return question_json(settings, {});
 }
 
 json place(const std::string& model, std::uint32_t copy, const std::string& joint) {
@@ -41,7 +39,7 @@ struct Answer {
       {"format", "pelt-check"},
       {"version", 1},
       {"instances", {{{"index", 0}, {"model", "knight"}}, {{"index", 1}, {"model", "thief"}}}},
-      {"options", question_json(asked())}};
+      {"options", asked()}};
   json totals = {{"touches", json::array({{{"a", place("knight", 0, "arm")},
                                            {"b", place("thief", 0, "hips")},
                                            {"worst", {{"frame", 3}, {"contacts", 12}}}}})}};
@@ -49,7 +47,7 @@ struct Answer {
   std::string text() const { return header.dump() + "\n{\"frame\":0}\n" + totals.dump() + "\n"; }
 };
 
-Result<CheckBaseline> parse(const Answer& answer, const CheckQuestion& question = asked(),
+Result<CheckBaseline> parse(const Answer& answer, const nlohmann::ordered_json& question = asked(),
                             const std::vector<std::string>& models = {"knight", "thief"}) {
   return CheckBaseline::parse("b.jsonl", answer.text(), question, scene_of(models));
 }
@@ -92,9 +90,9 @@ TEST(KnownBaseline, FindsContainedBodiesOnRequest) {
   answer.totals["held"] =
       json::array({{{"inner", {{"model", "thief"}, {"copy", 0}}},
                     {"outer", {{"model", "knight"}, {"copy", 0}, {"part", "hall"}}}}});
-  CheckQuestion question = asked();
+  nlohmann::ordered_json question = asked();
   EXPECT_TRUE(parse(answer, question)->held().empty());
-  question.inside = true;
+  question["inside"] = true;
   const Result<CheckBaseline> baseline = parse(answer, question);
   ASSERT_TRUE(baseline) << baseline.error().message;
   EXPECT_EQ(baseline->held(),
@@ -109,8 +107,8 @@ TEST(KnownBaseline, FindsTouchesByClip) {
   answer.totals["touches"][0]["clip"] = "walk";
   EXPECT_NE(message_of(parse(answer)).find("was written with all clips of a model ('*')"),
             std::string::npos);
-  CheckQuestion question = asked();
-  question.clips = {"walk", "run"};
+  nlohmann::ordered_json question = asked();
+  question["clips"] = {"walk", "run"};
   EXPECT_NE(message_of(parse({}, question)).find("was written without the clip '*'"),
             std::string::npos);
   const Result<CheckBaseline> baseline = parse(answer, question);
@@ -144,8 +142,8 @@ TEST(KnownBaseline, RefusesTheAnswerToAnotherQuestion) {
     answer.header["options"][key] = value;
     EXPECT_EQ(message_of(parse(answer)), "--baseline: b.jsonl: " + words);
   }
-  CheckQuestion question = asked();
-  question.inside = true;
+  nlohmann::ordered_json question = asked();
+  question["inside"] = true;
   EXPECT_EQ(
       message_of(parse({}, question)),
       "--baseline: b.jsonl: was written without --inside: write a new baseline with --inside, "
@@ -197,9 +195,9 @@ TEST(KnownBaseline, RefusesAnotherScene) {
 }
 
 TEST(KnownBaseline, NotesWhatElseDiffers) {
-  CheckQuestion question = asked();
-  question.frames = {0, 20, 2};
-  question.ignore = {{"cape", "arm"}};
+  nlohmann::ordered_json question = asked();
+  question["frames"] = {0, 20, 2};
+  question["ignore"] = json::array({{"cape", "arm"}});
   const Result<CheckBaseline> baseline = parse({}, question, {"knight", "thief", "thief"});
   ASSERT_TRUE(baseline) << baseline.error().message;
   EXPECT_EQ(

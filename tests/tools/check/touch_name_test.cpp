@@ -1,4 +1,4 @@
-#include "tools/pelt/check/touch_name.hpp"
+#include "tools/pelt/check/touches.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <pelt/distance.hpp>
 
-#include "tools/pelt/check/clearance_query.hpp"
+#include "tools/pelt/check/frame_query.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,15 +60,17 @@ TEST(NearPairs, LeaveAClearanceQueryNoWorkBetweenThoseThatAreFarApart) {
   for (std::uint32_t i = 0; i < 2000; ++i)
     scene.instances[i].translation = {5.0 * (i % 50), 0, 5.0 * (i / 50)};
   scene.instances[1].translation = scene.instances[0].translation;
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  check::ClearanceQuery query(*colliders, 0.1);
-  ASSERT_TRUE(query.set_palettes(palettes_of(scene)));
-  FrameContacts found;
-  query.collide({.max_contacts = 1}, found);
-  ASSERT_EQ(found.pairs.size(), 1u);
-  EXPECT_EQ(found.pairs[0].b, 1u);
-  EXPECT_LT(query.work().node_pairs, 2000u);  // of 1,999,000 pairs
+  check::CheckSettings settings;
+  settings.options.clearance = 0.1;
+  settings.max_contacts = 1;
+  auto stage = check::Stage::make(scene, settings);
+  ASSERT_TRUE(stage) << stage.error().message;
+  ASSERT_TRUE(stage->prepare());
+  check::FrameAnswer answer;
+  ASSERT_TRUE(check::FrameQuery(*stage, 1).ask(0, answer));
+  ASSERT_EQ(answer.found.pairs.size(), 1u);
+  EXPECT_EQ(answer.found.pairs[0].b, 1u);
+  EXPECT_LT(answer.work.node_pairs, 2000u);  // of 1,999,000 pairs
 }
 
 }  // namespace

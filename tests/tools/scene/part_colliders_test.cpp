@@ -1,7 +1,7 @@
 /// Parts have only the joints and morph targets that they follow, and the same contacts, joints and
 /// messages as whole instances.
 
-#include "tools/pelt/check/contact_details.hpp"
+#include "tools/pelt/check/frame_query.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
@@ -53,21 +53,14 @@ std::vector<Collider> colliders_of(const scenes::Scene& scene, Granularity granu
 using Described = std::tuple<std::uint32_t, std::uint32_t, std::uint16_t, std::uint16_t>;
 
 /// Contacts of different instances, ascending.
-std::vector<Described> contacts_of(const scenes::Scene& scene, std::span<const Collider> colliders,
-                                   const Palettes& palettes) {
-  SceneQuery query(colliders, methods::kOnDemand);
-  EXPECT_TRUE(query.set_palettes(palettes));
-  FrameContacts found;
-  query.collide({}, found);
-  const StagedScene staged(scene, colliders);
-  check::ContactDetails details(staged);
-  EXPECT_TRUE(details.describe(palettes, found));
+std::vector<Described> described(const check::Stage& stage, const FrameContacts& found,
+                                 std::span<const ContactGeometry> geometry) {
   std::vector<Described> contacts;
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
-    const Collider& a = colliders[found.pairs[i].a];
-    const Collider& b = colliders[found.pairs[i].b];
+    const Collider& a = stage.colliders[found.pairs[i].a];
+    const Collider& b = stage.colliders[found.pairs[i].b];
     if (a.instance == b.instance) continue;
-    for (const ContactTrace& trace : details.of_pair(i).traces) {
+    for (const ContactTrace& trace : geometry[i].traces) {
       const Contact contact = numbered_in_assets(trace.contact, a, b);
       contacts.push_back({contact.triangle_a, contact.triangle_b, trace.joint_a, trace.joint_b});
     }
@@ -76,17 +69,36 @@ std::vector<Described> contacts_of(const scenes::Scene& scene, std::span<const C
   return contacts;
 }
 
+/// Contacts of different instances in each frame, ascending.
+std::vector<std::vector<Described>> contacts_of(const scenes::Scene& scene,
+                                                Granularity granularity) {
+  check::CheckSettings settings;
+  settings.granularity = granularity;
+  settings.options.contacts = true;
+  settings.frames = {0, scene.frame_count, 3};
+  auto stage = check::Stage::make(scene, settings);
+  EXPECT_TRUE(stage && stage->prepare());
+  check::FrameQuery query(*stage, 1);
+  std::vector<std::vector<Described>> frames;
+  for (std::size_t i = 0; i < stage->frames.size(); ++i) {
+    check::FrameAnswer answer;
+    EXPECT_TRUE(query.ask(i, answer));
+    frames.push_back(described(*stage, answer.found, query.geometry()));
+  }
+  return frames;
+}
+
 TEST(PartColliders, TouchWhereWholeInstancesTouchAndNameTheSameJoints) {
   const scenes::Scene scene = talkers();
-  const std::vector<Collider> whole = colliders_of(scene, Granularity::instance);
-  const std::vector<Collider> parts = colliders_of(scene, Granularity::part);
-  ASSERT_EQ(parts.size(), 2 * kParts);
+  ASSERT_EQ(colliders_of(scene, Granularity::part).size(), 2 * kParts);
+  const auto whole = contacts_of(scene, Granularity::instance);
+  const auto parts = contacts_of(scene, Granularity::part);
+  ASSERT_EQ(whole.size(), parts.size());
   std::size_t contacts = 0, displaced = 0;
-  for (std::uint32_t frame = 0; frame < scene.frame_count; frame += 3) {
-    const Palettes palettes = palettes_of(scene, frame);
-    const std::vector<Described> expected = contacts_of(scene, whole, palettes);
-    EXPECT_EQ(contacts_of(scene, parts, palettes), expected) << "frame " << frame;
-    contacts += expected.size();
+  for (std::uint32_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(parts[i], whole[i]) << "frame " << 3 * i;
+    contacts += whole[i].size();
+    const Palettes palettes = palettes_of(scene, 3 * i);
     const auto& morphs = palettes.morphs[0];
     displaced += std::count_if(morphs.begin(), morphs.end(), [](float w) { return w != 0; }) > 0;
   }

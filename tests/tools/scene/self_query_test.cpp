@@ -1,4 +1,4 @@
-#include "tools/pelt/scene/self_query.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 
 #include "scenes/scene.hpp"
 #include "tools/pelt/scene/colliders.hpp"
@@ -37,16 +37,15 @@ std::vector<FrameContacts> self_contacts_with(std::uint32_t threads, tools::scen
   rules.drops_near_joints = false;
   auto filters = tools::scene::make_self_filters(staged, rules, {0, 3, 1});
   EXPECT_TRUE(filters) << filters.error().message;
-  auto pairs = tools::scene::SceneQuery::as_crowd(colliders, threads);
-  tools::scene::SelfQuery query(colliders, std::move(*filters), threads);
+  auto query =
+      tools::scene::SceneQuery::as_crowd(colliders, threads, {.filters = std::move(*filters)});
   std::vector<FrameContacts> frames;
   asset::SampleScratch scratch;
   tools::scene::Palettes palettes;
   for (std::uint32_t frame = 0; frame < 3; ++frame) {
     tools::scene::sample_palettes(scene, frame, scratch, palettes);
-    EXPECT_TRUE(pairs.set_palettes(palettes) && query.set_palettes(palettes));
+    EXPECT_TRUE(query.set_palettes(palettes));
     frames.emplace_back();
-    pairs.collide({}, frames.back());
     query.collide({}, frames.back());
     left_out += query.left_out();
   }

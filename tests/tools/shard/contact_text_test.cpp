@@ -1,4 +1,4 @@
-#include "tools/pelt/shard/contact_text.hpp"
+#include "tools/pelt/shard/answer_text.hpp"
 
 #include <gtest/gtest.h>
 

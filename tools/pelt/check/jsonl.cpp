@@ -1,7 +1,6 @@
 #include "tools/pelt/check/jsonl.hpp"
 
-#include "tools/pelt/check/between_json.hpp"
-#include "tools/pelt/check/frame_line.hpp"
+#include "tools/pelt/check/frame_lines.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
@@ -11,6 +10,101 @@ namespace pelt::tools::check {
 namespace {
 
 using nlohmann::ordered_json;
+
+/// An object with `clip`, or an empty one without a clip.
+ordered_json of_clip(const std::optional<std::string>& clip) {
+  ordered_json json = ordered_json::object();
+  if (clip) json["clip"] = *clip;
+  return json;
+}
+
+/// Without numbers of instances, for places that are no longer in the scene.
+ordered_json name_json(const BodyName& name) {
+  ordered_json body = {{"model", name.model}, {"copy", name.copy}};
+  if (!name.part.empty()) body["part"] = name.part;
+  return body;
+}
+
+ordered_json name_json(const TouchName& name) {
+  ordered_json place = name_json(name.body);
+  place["joint"] = name.joint;
+  return place;
+}
+
+ordered_json with_instance(std::uint32_t instance, const ordered_json& name) {
+  ordered_json place = {{"instance", instance}};
+  place.update(name);
+  return place;
+}
+
+/// `instance` is the number in the scene.
+ordered_json touch_json(const scene::StagedScene& staged, const Touch& touch) {
+  ordered_json json = of_clip(clip_name(staged.scene, touch.take));
+  json.update(
+      ordered_json{{"a", with_instance(touch.a.instance, name_json(touch_name(staged, touch.a)))},
+                   {"b", with_instance(touch.b.instance, name_json(touch_name(staged, touch.b)))},
+                   {"contacts", touch.contacts},
+                   {"frames", touch.frames},
+                   {"worst", scene::worst_json(staged.scene, touch.worst_frame, touch.worst)}});
+  return json;
+}
+
+ordered_json held_json(const scene::StagedScene& staged, const Held& held) {
+  const auto body = [&](std::uint32_t collider) {
+    return with_instance(staged.colliders[collider].instance,
+                         name_json(body_name(staged, staged.colliders[collider])));
+  };
+  ordered_json json = of_clip(clip_name(staged.scene, held.take));
+  json.update(ordered_json{
+      {"inner", body(held.inner)}, {"outer", body(held.outer)}, {"frames", held.frames}});
+  scene::add_frame(staged.scene, held.first_frame, "first_frame", "first_clip_frame", json);
+  return json;
+}
+
+/// Returns a touch between frames, with steps instead of frames.
+ordered_json touch_between_json(const scene::StagedScene& staged, const Touch& touch) {
+  ordered_json json = touch_json(staged, touch);
+  json.erase("frames");
+  json.erase("worst");
+  json["steps"] = touch.frames;
+  json["worst"] = ordered_json::object();
+  add_step(staged.scene, touch.worst_frame, json["worst"]);
+  json["worst"]["contacts"] = touch.worst;
+  return json;
+}
+
+ordered_json earliest_json(const scene::StagedScene& staged, const StepBetween& found) {
+  ordered_json json;
+  add_step(staged.scene, found.from, json);
+  json["a"] = found.earliest.a;
+  json["b"] = found.earliest.b;
+  json.update(first_touch_json(found.earliest.contact, found.earliest.first));
+  return json;
+}
+
+ordered_json deviation_json(const scene::StagedScene& staged, const BetweenReport& report) {
+  if (report.falls.empty()) return nullptr;
+  ordered_json json = {{"distance", report.deviation.distance}};
+  add_step(staged.scene, report.deviation.from, json);
+  json["instance"] = staged.colliders[report.deviation.collider].instance;
+  json["substeps"] = ordered_json::array();
+  for (const BetweenReport::Fall& fall : report.falls)
+    json["substeps"].push_back({{"substeps", fall.substeps}, {"distance", fall.distance}});
+  return json;
+}
+
+/// `totals.between`.
+ordered_json between_json(const scene::StagedScene& staged, const BetweenReport& report) {
+  ordered_json json = {{"steps", report.steps},
+                       {"steps_in_contact", report.found.size()},
+                       {"contacts", report.contacts},
+                       {"earliest", nullptr},
+                       {"deviation", deviation_json(staged, report)},
+                       {"counters", scene::counters_json(report.work)},
+                       {"hash", output::hex16(report.hash)}};
+  if (!report.found.empty()) json["earliest"] = earliest_json(staged, report.found.front());
+  return json;
+}
 
 ordered_json gone_json(const GoneTouch& gone) {
   ordered_json touch = of_clip(gone.names.clip);
@@ -47,11 +141,13 @@ ordered_json takes_json(const scenes::Scene& scene, std::span<const TakeTotals> 
 
 void JsonlWriter::header() {
   if (out_ == nullptr) return;
-  scene::write_header("pelt-check", staged_, question_json(question_), *out_);
+  scene::write_header("pelt-check", stage_.staged,
+                      question_json(stage_.settings, stage_.staged.scene), *out_);
 }
 
 void JsonlWriter::step(const StepContacts& step) {
-  if (out_ != nullptr) scene::write_line(step_json(staged_, step, question_.pairs), *out_);
+  if (out_ == nullptr) return;
+  scene::write_line(step_json(stage_.staged, step, stage_.settings.options.pairs), *out_);
 }
 
 void JsonlWriter::frame(const FrameAnswer& answer) {
@@ -60,7 +156,7 @@ void JsonlWriter::frame(const FrameAnswer& answer) {
 
 ordered_json JsonlWriter::held_list(std::span<const Held> held) const {
   ordered_json list = ordered_json::array();
-  for (const Held& h : held) list.push_back(held_json(staged_, h));
+  for (const Held& h : held) list.push_back(held_json(stage_.staged, h));
   return list;
 }
 
@@ -68,7 +164,7 @@ ordered_json JsonlWriter::held_list(std::span<const Held> held) const {
 void JsonlWriter::add_changes(const TouchChanges& changes, TouchJson* json_of,
                               ordered_json& json) const {
   for (const Worse& worse : changes.worse) {
-    json["worse"].push_back(json_of(staged_, worse.touch));
+    json["worse"].push_back(json_of(stage_.staged, worse.touch));
     json["worse"].back()["known"] = worse.known;
   }
   for (const GoneTouch& gone : changes.gone) json["gone"].push_back(gone_json(gone));
@@ -84,7 +180,7 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
   if (!verdict.comparison) return json;
   const Comparison& comparison = *verdict.comparison;
   add_changes(comparison.touches, touch_json, json);
-  if (question_.substeps) {
+  if (stage_.settings.substeps) {
     json["between"] = {{"worse", ordered_json::array()},
                        {"gone", ordered_json::array()},
                        {"left_out", ordered_json::array()}};
@@ -111,21 +207,22 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   } else {
     last["cut_short"] = true;
   }
-  if (question_.budget)
+  if (stage_.settings.options.budget)
     last["totals"]["unknown"] = {{"frames", totals.unknown.frames.size()},
                                  {"pairs", totals.unknown.most_pairs},
                                  {"resolution", totals.unknown.resolution}};
-  if (question_.self.asks_self()) last["totals"]["left_out"] = left_out_json(totals.left_out);
-  if (!totals.takes.empty()) last["clips"] = takes_json(staged_.scene, totals.takes);
+  if (stage_.settings.self.asks_self()) last["totals"]["left_out"] = left_out_json(totals.left_out);
+  if (!totals.takes.empty()) last["clips"] = takes_json(stage_.staged.scene, totals.takes);
   last["touches"] = ordered_json::array();
-  for (const Touch& touch : found.touches) last["touches"].push_back(touch_json(staged_, touch));
+  for (const Touch& touch : found.touches)
+    last["touches"].push_back(touch_json(stage_.staged, touch));
   if (totals.between) {
-    last["totals"]["between"] = between_json(staged_, *totals.between);
+    last["totals"]["between"] = between_json(stage_.staged, *totals.between);
     last["touches_between"] = ordered_json::array();
     for (const Touch& touch : found.between)
-      last["touches_between"].push_back(touch_between_json(staged_, touch));
+      last["touches_between"].push_back(touch_between_json(stage_.staged, touch));
   }
-  if (question_.inside) last["held"] = held_list(found.held);
+  if (stage_.settings.options.inside) last["held"] = held_list(found.held);
   last["verdict"] = verdict_json(verdict);
   scene::write_line(last, *out_);
 }

@@ -5,12 +5,9 @@
 #include <pelt/self_filter.hpp>
 
 #include "scenes/scene.hpp"
-#include "tools/pelt/check/between_check.hpp"
-#include "tools/pelt/check/check_question.hpp"
-#include "tools/pelt/check/frame_answer.hpp"
-#include "tools/pelt/check/step_contacts.hpp"
+#include "tools/pelt/check/stage.hpp"
+#include "tools/pelt/check/steps.hpp"
 #include "tools/pelt/check/verdict.hpp"
-#include "tools/pelt/scene/staged_scene.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -51,8 +48,7 @@ struct CheckTotals {
 class JsonlWriter {
  public:
   /// All arguments must outlive the writer.
-  JsonlWriter(std::ostream* out, const CheckQuestion& question, const scene::StagedScene& staged)
-      : out_(out), question_(question), staged_(staged) {}
+  JsonlWriter(std::ostream* out, const Stage& stage) : out_(out), stage_(stage) {}
 
   void header();
 
@@ -74,8 +70,7 @@ class JsonlWriter {
   nlohmann::ordered_json verdict_json(const Verdict& verdict) const;
 
   std::ostream* out_;
-  const CheckQuestion& question_;
-  scene::StagedScene staged_;
+  const Stage& stage_;
 };
 
 }  // namespace pelt::tools::check

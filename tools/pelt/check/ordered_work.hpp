@@ -5,16 +5,26 @@
 #include <pelt/result.hpp>
 
 #include "base/workers.hpp"
+#include "tools/pelt/output/progress.hpp"
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pelt::tools::check {
+
+/// Indices of items, from `begin` up to `end`, exclusive.
+struct Indices {
+  std::size_t begin = 0, end = 0;
+
+  std::size_t count() const { return end - begin; }
+};
 
 /// Items 0, 1, ... below a count. `Item` is default-constructible, and reused.
 template <typename Item>
@@ -126,5 +136,31 @@ class OrderedWork {
   bool is_using_ = false, is_ended_ = false;
   std::optional<Error> error_;
 };
+
+/// One of the threads that compute items, and the number of threads for each of its items.
+struct ItemWorker {
+  std::uint32_t number = 0, threads = 1;
+};
+
+/// Computes items on `threads` threads (0 means all cores) by `compute(worker, index, item)`, and
+/// passes them to `use`, in order. Calls of `use` follow one another, but on any thread. Shows a
+/// progress bar. Returns the first error in the order of items. If there are fewer items than
+/// threads, each item gets several.
+template <typename Item, typename Compute, typename Use>
+Result<void> compute_in_order(const Indices& indices, std::uint32_t threads, const Compute& compute,
+                              const Use& use) {
+  threads = detail::Workers::count_or_available(threads);
+  const auto workers =
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(indices.count(), 1, threads));
+  output::Progress progress(indices.count());
+  const auto compute_item = [&](std::uint32_t worker, std::size_t index, Item& item) {
+    return compute(ItemWorker{worker, threads / workers}, indices.begin + index, item);
+  };
+  const auto pass_on = [&](Item& item) -> Result<void> {
+    progress.advance();
+    return use(item);
+  };
+  return OrderedWork<Item>(indices.count(), workers, compute_item, pass_on).run();
+}
 
 }  // namespace pelt::tools::check

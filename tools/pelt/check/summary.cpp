@@ -2,16 +2,148 @@
 
 #include "asset/printable.hpp"
 #include "scenes/takes.hpp"
-#include "tools/pelt/check/between_summary.hpp"
-#include "tools/pelt/check/summary_lists.hpp"
+#include "tools/pelt/check/frame_lines.hpp"
+#include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
-#include <algorithm>
 #include <iomanip>
+#include <tuple>
 
 namespace pelt::tools::check {
 namespace {
+
+/// Width of a column of names.
+template <typename Row>
+int width_of(std::span<const Row> rows, std::string Row::*column = &Row::a) {
+  std::size_t width = 0;
+  for (const Row& row : rows) width = std::max(width, (row.*column).size());
+  return static_cast<int>(width);
+}
+
+/// Contacts by joints or by parts.
+struct RowList {
+  const char* title;
+  const std::vector<TouchTally::Row>& rows;
+  std::uint64_t contacts = 0;  ///< in all
+  const char* noun = "frame";  ///< what the rows count, and number from 0
+};
+
+/// Prints the contacts of each row, its share of all contacts, and its worst frame.
+void print_rows(const RowList& list, const scenes::Scene& scene, const ListLength& length,
+                std::ostream& out) {
+  out << '\n' << list.title << '\n';
+  const std::span<const TouchTally::Row> shown = length.shown(list.rows);
+  const int width = width_of(shown), width_b = width_of(shown, &TouchTally::Row::b);
+  const int clip_width = width_of(shown, &TouchTally::Row::clip);
+  for (const TouchTally::Row& row : shown) {
+    const double percent =
+        100.0 * static_cast<double>(row.contacts) / static_cast<double>(list.contacts);
+    out << std::right << std::setw(12) << output::with_commas(row.contacts) << std::setw(6)
+        << output::fixed(percent, 1) << " %  " << std::left;
+    if (clip_width > 0) out << std::setw(clip_width) << row.clip << "  ";
+    out << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  in "
+        << output::counted(row.frames, list.noun) << ", worst " << list.noun << ' '
+        << scenes::frame_in_take(scene, row.worst_frame) << '\n';
+  }
+  length.print_rest(list.rows.size(), out);
+}
+
+constexpr const char* kRepeated = "";  // label of the lines of a list
+
+std::string seconds_words(double seconds) { return output::fixed(seconds, 4) + " s"; }
+
+/// "edge 1 of triangle 12 of knight 0"
+std::string feature_words(const scene::StagedScene& staged, std::uint32_t collider,
+                          std::uint32_t triangle, const Feature& feature) {
+  std::string text = kFeatureNames[static_cast<std::size_t>(feature.kind)];
+  if (feature.kind != FeatureKind::face) text.append(" ").append(std::to_string(feature.number));
+  return text + " of triangle " + std::to_string(triangle) + " of " +
+         scene::collider_name(staged, staged.colliders[collider]);
+}
+
+std::string earliest_words(const scene::StagedScene& staged, const StepBetween& found) {
+  const auto& [a, b, contact, first] = found.earliest;
+  return seconds_words(first.seconds) + ", " +
+         feature_words(staged, a, contact.triangle_a, first.a) + ", " +
+         feature_words(staged, b, contact.triangle_b, first.b);
+}
+
+/// Prints the steps with the most contacts between their frames first.
+void print_steps(const scene::StagedScene& staged, const BetweenReport& report,
+                 const ListLength& length, std::ostream& out) {
+  std::vector<StepBetween> steps = report.found;
+  std::stable_sort(steps.begin(), steps.end(), [](const StepBetween& x, const StepBetween& y) {
+    return x.contacts > y.contacts;
+  });
+  for (const StepBetween& step : length.shown(steps)) {
+    out << std::right << std::setw(12) << output::with_commas(step.contacts) << "  from "
+        << scene::frame_words(staged.scene, step.from) << ", first at "
+        << earliest_words(staged, step) << '\n';
+  }
+  length.print_rest(steps.size(), out);
+}
+
+void print_deviation(const scene::StagedScene& staged, const BetweenReport& report,
+                     std::ostream& out) {
+  scene::label(out, "straight");
+  if (report.falls.empty()) {
+    out << "vertices do not deviate from straight lines in the middle of any piece\n";
+    return;
+  }
+  out << "vertices deviate at most " << output::fixed(report.deviation.distance, 6)
+      << " from straight lines (middle of a piece, from "
+      << scene::frame_words(staged.scene, report.deviation.from) << ", "
+      << scene::collider_name(staged, staged.colliders[report.deviation.collider]) << ")\n";
+  scene::label(out, kRepeated) << "in this step";
+  const char* separator = ": ";
+  for (const BetweenReport::Fall& fall : report.falls) {
+    out << separator << output::fixed(fall.distance, 6) << " with --substeps " << fall.substeps;
+    separator = ", ";
+  }
+  out << '\n';
+}
+
+/// Prints the contacts between frames, the worst steps, and the deviation from straight lines.
+void print_between(const scene::StagedScene& staged, const BetweenReport& report,
+                   const ListLength& length, std::ostream& out) {
+  scene::label(out, "between");
+  if (report.steps == 0) {
+    out << "not tested: --between needs two frames of one clip, and there is only one frame\n";
+    return;
+  }
+  if (report.contacts == 0) {
+    out << "no pair touches between frames only, in " << output::counted(report.steps, "step")
+        << '\n';
+  } else {
+    out << output::counted(report.contacts, "pair")
+        << (report.contacts == 1 ? " touches in " : " touch in ")
+        << output::counted(report.found.size(), "step") << " at neither end; first at "
+        << seconds_words(report.found.front().earliest.first.seconds)
+        << scene::clip_words(staged.scene, report.found.front().from) << '\n';
+    print_steps(staged, report, length, out);
+  }
+  print_deviation(staged, report, out);
+}
+
+/// Prints the parts and the joints that touch between frames. Precondition: some do.
+void print_touching_between(const scenes::Scene& scene, const BetweenReport& report,
+                            const ListLength& length, std::ostream& out) {
+  if (scene::has_many_parts(scene))
+    print_rows({"parts that touch between frames", report.parts, report.contacts, "step"}, scene,
+               length, out);
+  print_rows({"joints that touch between frames", report.joints, report.contacts, "step"}, scene,
+             length, out);
+}
+
+void print_costs_between(const BetweenReport& report, std::ostream& out) {
+  if (report.steps == 0) return;
+  scene::label(out, "steps") << "median "
+                             << output::fixed(1e3 * output::median(report.step_seconds), 3)
+                             << " ms, mean "
+                             << output::fixed(1e3 * output::mean(report.step_seconds), 3)
+                             << " ms per step\n";
+}
 
 /// "0.667 s"
 std::string seconds_of(const scenes::Scene& scene, std::uint32_t frame) {
@@ -246,7 +378,7 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
 }
 
 void print_unknown(const CheckSettings& settings, const UnknownTotals& unknown, std::ostream& out) {
-  if (!settings.budget) return;
+  if (!settings.options.budget) return;
   scene::label(out, "unknown");
   if (unknown.frames.empty()) {
     out << "nothing: the budget sufficed for all frames\n";
@@ -259,17 +391,24 @@ void print_unknown(const CheckSettings& settings, const UnknownTotals& unknown, 
 
 }  // namespace
 
-void print_summary(const scene::StagedScene& staged, const CheckSettings& settings,
-                   const CheckReport& report, const TouchTally& tally, std::ostream& out) {
-  const ListLength length(settings.rows_listed);
+void ListLength::print_rest(std::size_t count, std::ostream& out) const {
+  if (count <= most_) return;
+  out << std::right << std::setw(12) << "..."
+      << " and " << output::with_commas(count - most_) << " more: --list " << count << '\n';
+}
+
+void print_summary(const Stage& stage, const CheckReport& report, const TouchTally& tally,
+                   std::ostream& out) {
+  const auto& [staged, settings] = std::tie(stage.staged, stage.settings);
+  const ListLength length(settings.options.list);
   scene::print_scene(staged, out);
   scene::label(out, "method") << settings.method.name << '\n';
   print_self(settings, staged.colliders.size(), out);
   if (report.verdict.pairs_compared == 0)
     scene::print_too_few(staged.scene, settings.granularity, out);
-  if (settings.clearance)
+  if (settings.options.clearance)
     scene::label(out, "clearance")
-        << "counts triangles at most " << *settings.clearance << " apart\n";
+        << "counts triangles at most " << *settings.options.clearance << " apart\n";
   print_contacts(staged.scene, settings, report, out);
   print_unknown(settings, report.totals.unknown, out);
   if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, length, out);

@@ -2,7 +2,7 @@
 
 /// Decides whether a check has failed, by its findings or by a comparison with an earlier check.
 
-#include "tools/pelt/check/check_baseline.hpp"
+#include "tools/pelt/check/baseline.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/hash.hpp"
-#include "tools/pelt/scene/scene_query.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 
 namespace pelt::tools::scene {
 

@@ -36,8 +36,10 @@ SceneQuery SceneQuery::of_each(std::span<const Collider> colliders,
   return query;
 }
 
-SceneQuery SceneQuery::as_crowd(std::span<const Collider> colliders, std::uint32_t threads) {
+SceneQuery SceneQuery::as_crowd(std::span<const Collider> colliders, std::uint32_t threads,
+                                SelfTests tests) {
   SceneQuery query(colliders);
+  query.tests_ = std::move(tests);
   query.make_crowd(threads);
   return query;
 }
@@ -80,8 +82,7 @@ Result<void> SceneQuery::set_pose_of(std::uint32_t collider, const PoseInputs& i
 }
 
 void SceneQuery::collide(const Limits& limits, FrameContacts& found) {
-  found.pairs.clear();
-  found.contacts.clear();
+  found.clear();
   if (crowd_) return collide_crowd(limits, found);
   for (std::uint32_t a = 0; a < colliders_.size(); ++a) {
     if (of_each_) {
@@ -92,20 +93,22 @@ void SceneQuery::collide(const Limits& limits, FrameContacts& found) {
   }
 }
 
+CrowdOptions SceneQuery::crowd_options(const Limits& limits) const {
+  CrowdOptions of_crowd = tests_.crowd_options();
+  of_crowd.threads = thread_count_;
+  of_crowd.max_contacts = limits.max_contacts;
+  return of_crowd;
+}
+
 void SceneQuery::collide_crowd(const Limits& limits, FrameContacts& found) {
-  CrowdOptions crowd_options;
-  crowd_options.threads = thread_count_;
-  crowd_options.max_contacts = limits.max_contacts;
   crowd_contacts_.clear();
-  query_work_ += crowd_->collide(crowd_contacts_, crowd_options);
-  for (const auto& [a, b, triangle_a, triangle_b] : crowd_contacts_) {
-    const std::size_t end = found.contacts.size();
-    if (found.pairs.empty() || found.pairs.back().a != a || found.pairs.back().b != b)
-      found.pairs.push_back({a, b, end, end});
-    found.pairs.back().end = end + 1;
-    found.contacts.push_back(
-        numbered_in_assets({triangle_a, triangle_b}, colliders_[a], colliders_[b]));
-  }
+  const CrowdStats stats = crowd_->collide(crowd_contacts_, crowd_options(limits));
+  query_work_ += stats;
+  left_out_ = stats.left_out;
+  for (const auto& [a, b, triangle_a, triangle_b] : crowd_contacts_)
+    found.add(a, b, numbered_in_assets({triangle_a, triangle_b}, colliders_[a], colliders_[b]));
+  if (tests_.filters)
+    left_out_ += tests_.filters->leave_out_between_parts(colliders_, limits, scratch_, found);
 }
 
 void SceneQuery::collide_pair(std::uint32_t a, std::uint32_t b, const Limits& limits,

@@ -9,7 +9,9 @@
 #include "tools/pelt/methods/method.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/colliders.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 #include "tools/pelt/scene/palettes.hpp"
+#include "tools/pelt/scene/self_filters.hpp"
 
 #include <memory>
 #include <optional>
@@ -17,23 +19,6 @@
 #include <vector>
 
 namespace pelt::tools::scene {
-
-/// The contacts of one frame, pair after pair.
-struct FrameContacts {
-  /// Colliders a < b, or one collider a = b, and their contacts: [begin, end) of `contacts`, not
-  /// empty.
-  struct Pair {
-    std::uint32_t a = 0, b = 0;
-    std::size_t begin = 0, end = 0;
-  };
-
-  std::vector<Pair> pairs;        ///< pairs in contact, ascending
-  std::vector<Contact> contacts;  ///< triangle numbers of the two instances' models
-
-  std::span<const Contact> of(const Pair& pair) const {
-    return std::span(contacts).subspan(pair.begin, pair.end - pair.begin);
-  }
-};
 
 class SceneQuery {
  public:
@@ -48,8 +33,9 @@ class SceneQuery {
   static SceneQuery of_each(std::span<const Collider> colliders,
                             std::unique_ptr<methods::Method> method);
 
-  /// Queries as a crowd on this number of threads; 0 means all cores.
-  static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads);
+  /// Queries `tests` as a crowd on this number of threads; 0 means all cores.
+  static SceneQuery as_crowd(std::span<const Collider> colliders, std::uint32_t threads,
+                             SelfTests tests = {});
 
   /// Poses all colliders; a crowd uses its threads if there are enough colliders. Error messages
   /// name the instance.
@@ -59,7 +45,13 @@ class SceneQuery {
   bool update_counts() const { return crowd_ || method_->update_counts(); }
 
   /// Replaces `found` by the contacts of every pair of colliders, or of each with itself.
+  ///
+  /// Precondition: there is no limit if parts of one instance are filtered, because the filters may
+  /// drop any contacts.
   void collide(const Limits& limits, FrameContacts& found);
+
+  /// Number of contacts that each filter has left out of the latest frame.
+  const LeftOut& left_out() const { return left_out_; }
 
   /// The work of posing and querying so far.
   QueryStats work() const;
@@ -69,6 +61,7 @@ class SceneQuery {
       : colliders_(colliders), parted_(colliders) {}
 
   void make_crowd(std::uint32_t threads);
+  CrowdOptions crowd_options(const Limits& limits) const;
   bool set_on_threads(const Palettes& palettes);
   Result<void> set_pose_of(std::uint32_t collider, const PoseInputs& inputs);
   void collide_crowd(const Limits& limits, FrameContacts& found);
@@ -80,6 +73,9 @@ class SceneQuery {
   std::uint32_t thread_count_ = 1;
   std::unique_ptr<detail::Workers> threads_;
   detail::WorkShares shares_;  // of the palettes
+  SelfTests tests_;            // of the crowd
+  Scratch scratch_;            // of the filters of parts
+  LeftOut left_out_;
   std::vector<CrowdContact> crowd_contacts_;
   std::unique_ptr<methods::Method> method_;
   bool of_each_ = false;  // with `method_` only

@@ -2,13 +2,17 @@
 
 /// Filters of the contacts of characters with themselves.
 
+#include <pelt/crowd.hpp>
 #include <pelt/self_filter.hpp>
 
 #include "tools/pelt/arguments/values.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace pelt::tools::scene {
@@ -24,9 +28,26 @@ struct SelfRules {
 struct SelfFilters {
   std::vector<SelfFilter> of_colliders;  ///< of each collider with itself
 
-  /// One filter per instance, for contacts between its parts. Triangles are numbered as in the
+  /// The filter of each instance for contacts between its parts. Triangles are numbered as in the
   /// whole character. Empty if colliders are whole instances.
-  std::vector<SelfFilter> of_parts;
+  std::map<std::uint32_t, SelfFilter> of_parts;
+
+  /// Whether the filters may drop any contacts of pairs, so that a query needs all of them.
+  bool need_all_of_pairs() const { return !of_parts.empty(); }
+
+  /// Removes from `found` the contacts of two parts of one instance that its filter drops, and
+  /// those beyond the limit of each pair. Returns the number of dropped contacts.
+  LeftOut leave_out_between_parts(std::span<const Collider> colliders, const Limits& limits,
+                                  Scratch& scratch, FrameContacts& found) const;
+};
+
+/// Which colliders are tested against each other and against themselves.
+struct SelfTests {
+  bool pairs = true;                   ///< colliders against each other
+  std::optional<SelfFilters> filters;  ///< if set, also each collider against itself
+
+  /// The tests as those of a crowd of the colliders, valid as long as this.
+  CrowdOptions crowd_options() const;
 };
 
 /// Returns the filters of a scene. Instances of one character share them.

@@ -2,9 +2,9 @@
 
 #include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
-#include "tools/pelt/list/scene_entry.hpp"
+#include "tools/pelt/check/json_fields.hpp"
+#include "tools/pelt/list/entry.hpp"
 #include "tools/pelt/output/json_text.hpp"
-#include "tools/pelt/shard/contact_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,279 +12,269 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace pelt::tools::shard {
 namespace {
 
 using check::FrameAnswer;
-using nlohmann::json;
 using nlohmann::ordered_json;
 
-ordered_json work_json(const QueryStats& work) {
-  return {work.node_pairs, work.refits, work.posed_vertices, work.triangle_pairs,
-          work.displacements};
+/// Whether a part of an answer is an object with keys, and not a list of its values.
+template <typename T>
+constexpr bool kHasKeys =
+    std::is_same_v<T, check::FrameAnswer> || std::is_same_v<T, check::StepAnswer>;
+
+template <typename Part>
+class PartWriter;
+
+template <typename T>
+ordered_json json_of(const T& part) {
+  PartWriter<T> writer;
+  check::describe(writer, part);
+  return writer.take();
 }
 
-ordered_json left_out_json(const LeftOut& left_out) {
-  return {left_out.takes_part, left_out.rings,  left_out.at_rest,
-          left_out.always,     left_out.joints, left_out.groups};
+template <typename T>
+ordered_json json_of(const std::optional<T>& part) {
+  return part ? json_of(*part) : ordered_json();
 }
 
-ordered_json undecided_json(const std::vector<check::Undecided>& undecided) {
+template <typename T>
+ordered_json json_of(const std::vector<T>& parts) {
   ordered_json list = ordered_json::array();
-  for (const check::Undecided& one : undecided)
-    list.push_back({one.a, one.b, static_cast<std::uint32_t>(one.verdict), one.pairs,
-                    one.resolution, one.distance_bound});
+  for (const T& part : parts) list.push_back(json_of(part));
   return list;
 }
 
-ordered_json inside_json(const std::vector<check::InsidePair>& inside) {
-  ordered_json list = ordered_json::array();
-  for (const check::InsidePair& one : inside)
-    list.push_back({one.a, one.b, static_cast<std::uint32_t>(one.containment), one.a_in_b.depth,
-                    one.b_in_a.depth});
-  return list;
-}
-
-ordered_json patches_json(const std::vector<check::DescribedPatch>& patches) {
-  ordered_json list = ordered_json::array();
-  for (const check::DescribedPatch& one : patches)
-    list.push_back({one.a, one.b, one.joint_a, one.joint_b, one.length});
-  return list;
-}
-
-ordered_json step_json(const check::StepAnswer& step) {
-  ordered_json found = ordered_json::array();
-  for (const check::FoundInStep& one : step.found)
-    found.push_back({one.a, one.b, one.contact.triangle_a, one.contact.triangle_b,
-                     one.first.seconds, one.first.share,
-                     static_cast<std::uint32_t>(one.first.a.kind), one.first.a.number,
-                     static_cast<std::uint32_t>(one.first.b.kind), one.first.b.number});
-  const check::Deviation& deviation = step.deviation;
-  return {{"from", step.from},
-          {"found", std::move(found)},
-          {"deviation", {deviation.distance, deviation.collider, deviation.vertex}},
-          {"work", work_json(step.work)},
-          {"seconds", step.seconds}};
-}
-
-/// Reads the elements of a list, one after the other. After the first bad one, `is_good` is false.
-class List {
+/// Writes the members of a part of an answer, see check::describe.
+template <typename Part>
+class PartWriter : public check::MemberWriter<PartWriter<Part>> {
  public:
-  explicit List(const json& list) : list_(list), is_good_(list.is_array()) {}
-
-  /// A whole number below `limit`.
-  std::uint64_t below(std::uint64_t limit) {
-    const json* const next = take();
-    if (next == nullptr || !next->is_number_unsigned() || next->get<std::uint64_t>() >= limit)
-      return fail();
-    return next->get<std::uint64_t>();
+  template <typename T>
+  void member(const char* name, const T& value) {
+    add(name, json_of(value));
   }
 
-  std::uint32_t index(std::uint64_t limit) { return static_cast<std::uint32_t>(below(limit)); }
-
-  /// A finite number, at least 0.
-  double length() {
-    const json* const next = take();
-    if (next == nullptr || !next->is_number()) return static_cast<double>(fail());
-    const double value = next->get<double>();
-    return std::isfinite(value) && value >= 0 ? value : static_cast<double>(fail());
+  template <typename Choice, std::size_t kCount>
+  void choice(const char* name, Choice value, const char* const (&)[kCount]) {
+    add(name, static_cast<std::uint32_t>(value));
   }
 
-  bool has_more() const { return is_good_ && next_ < list_.size(); }
-  bool is_good() const { return is_good_; }
-  bool is_complete() const { return is_good_ && next_ == list_.size(); }
+  void add(const char* name, ordered_json value) {
+    if constexpr (kHasKeys<Part>)
+      json_[name] = std::move(value);
+    else
+      json_.push_back(std::move(value));
+  }
+
+  ordered_json take() { return std::move(json_); }
 
  private:
-  const json* take() { return has_more() ? &list_[next_++] : nullptr; }
+  ordered_json json_;
+};
 
+/// Reads what PartWriter wrote.
+template <typename Part>
+class PartReader {
+ public:
+  PartReader(const nlohmann::json& json, const Expected& expected)
+      : json_(json), expected_(expected) {
+    if (!kHasKeys<Part> && !json.is_array()) bad_ = "";
+  }
+
+  /// Returns the name of the first bad value, or null.
+  const char* read(Part& part) {
+    check::describe(*this, part);
+    return bad_ == nullptr && !kHasKeys<Part> && next_ != json_.size() ? "" : bad_;
+  }
+
+  void count(const char* name, std::uint64_t& to) { number(name, to, kAny); }
+  void below(const char* name, std::uint8_t& to, std::uint64_t limit) { number(name, to, limit); }
+
+  void length(const char* name, double& to) {
+    const nlohmann::json& value = next(name);
+    verify(name, check::read(value, to) && to >= 0);
+  }
+  void length(const char* name, float& to) {
+    double value = 0;
+    length(name, value);
+    to = static_cast<float>(value);
+  }
+
+  void same(const char* name, const std::uint32_t& value) { verify(name, next(name) == value); }
+
+  void collider(const char* name, std::uint32_t& to) {
+    number(name, to, expected_.staged.colliders.size());
+  }
+  void joint(const char* name, std::uint32_t& to, std::uint32_t of) {
+    number(name, to, std::max<std::size_t>(1, expected_.staged.asset_of(of).joints.size()));
+  }
+  void vertex(const char* name, std::uint32_t& to, std::uint32_t of) {
+    number(name, to, expected_.staged.colliders[of].model.vertex_count());
+  }
+
+  /// Numbered as in the asset.
+  void triangle(const char* name, std::uint32_t& to, std::uint32_t of) {
+    const scene::Collider& collider = expected_.staged.colliders[of];
+    number(name, to, std::uint64_t{collider.first_triangle} + collider.model.triangle_count());
+    to = std::max(to, collider.first_triangle);
+  }
+
+  template <typename Choice, std::size_t kCount>
+  void choice(const char* name, Choice& to, const char* const (&)[kCount]) {
+    std::uint32_t value = 0;
+    number(name, value, kCount);
+    to = static_cast<Choice>(value);
+  }
+
+  void require(bool condition) { verify("", condition); }
+
+  template <typename T>
+  void member(const char* name, T& to) {
+    verify(name, PartReader<T>(next(name), expected_).read(to) == nullptr);
+  }
+  template <typename T>
+  void member(const char* name, std::vector<T>& to) {
+    const nlohmann::json& list = next(name);
+    verify(name,
+           list.is_array() && std::all_of(list.begin(), list.end(), [&](const nlohmann::json& one) {
+             return PartReader<T>(one, expected_).read(to.emplace_back()) == nullptr;
+           }));
+  }
+
+  /// A step is there if and only if one ends with the frame.
+  void member(const char* name, std::optional<check::StepAnswer>& to) {
+    const nlohmann::json& value = next(name);
+    verify(name, value.is_null() != expected_.step_from.has_value());
+    if (bad_ != nullptr || value.is_null()) return;
+    check::StepAnswer& step = to.emplace();
+    step.from = step.deviation.from = *expected_.step_from;
+    step.to = step.deviation.to = expected_.frame;
+    verify(name, PartReader<check::StepAnswer>(value, expected_).read(step) == nullptr);
+  }
+
+ private:
+  static constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+
+  const nlohmann::json& next(const char* name) {
+    static const nlohmann::json kNull;
+    if constexpr (kHasKeys<Part>) return check::value_of(json_, name);
+    return json_.is_array() && next_ < json_.size() ? json_[next_++] : kNull;
+  }
+
+  /// A bad number becomes 0.
+  template <typename T>
+  void number(const char* name, T& to, std::uint64_t limit) {
+    std::uint64_t value = 0;
+    const bool is_good = check::read(next(name), value) && value < limit;
+    verify(name, is_good);
+    to = is_good ? static_cast<T>(value) : T{};
+  }
+
+  void verify(const char* name, bool is_good) {
+    if (!is_good && bad_ == nullptr) bad_ = name;
+  }
+
+  const nlohmann::json& json_;
+  const Expected& expected_;
+  std::size_t next_ = 0;
+  const char* bad_ = nullptr;  // the first one
+};
+
+constexpr char kZero = '0';
+constexpr std::uint64_t kMore = 32;  // added to all digits of a number but the last one
+constexpr int kBits = 5;
+
+void add_number(std::uint64_t number, std::string& text) {
+  for (; number >= kMore; number >>= kBits)
+    text.push_back(static_cast<char>(kZero + kMore + number % kMore));
+  text.push_back(static_cast<char>(kZero + number));
+}
+
+std::uint64_t sign_last(std::int64_t difference) {
+  return difference < 0 ? 2 * static_cast<std::uint64_t>(-difference) + 1
+                        : 2 * static_cast<std::uint64_t>(difference);
+}
+
+/// Reads numbers. After the first bad one, `is_good` is false and all numbers are 0.
+class Numbers {
+ public:
+  explicit Numbers(std::string_view text) : next_(text.data()), end_(next_ + text.size()) {}
+
+  bool has_more() const { return next_ != end_; }
+  bool is_good() const { return is_good_; }
+  std::size_t characters_left() const { return static_cast<std::size_t>(end_ - next_); }
+
+  /// A number below 2^60.
+  std::uint64_t next() {
+    std::uint64_t number = 0;
+    for (int shift = 0; shift < 12 * kBits && next_ != end_; shift += kBits) {
+      const auto digit = static_cast<std::uint64_t>(static_cast<unsigned char>(*next_++)) - kZero;
+      if (digit >= 2 * kMore) break;
+      number |= digit % kMore << shift;
+      if (digit < kMore) return number;
+    }
+    return fail();
+  }
+
+  /// The end of a step from `start`, if it is in [least, limit).
+  std::uint64_t step_up(std::uint64_t start, std::uint64_t least, std::uint64_t limit) {
+    const std::uint64_t number = start + next();
+    return number >= least && number < limit ? number : fail();
+  }
+  std::uint64_t step(std::uint64_t start, std::uint64_t least, std::uint64_t limit) {
+    const std::uint64_t difference = next();
+    const std::uint64_t size = difference / 2;
+    const std::uint64_t number = difference % 2 == 0 ? start + size : start - size;  // or wraps
+    return number >= least && number < limit ? number : fail();
+  }
+
+ private:
   std::uint64_t fail() {
+    next_ = end_;
     is_good_ = false;
     return 0;
   }
 
-  const json& list_;
-  std::size_t next_ = 0;
-  bool is_good_;
+  const char* next_;
+  const char* end_;
+  bool is_good_ = true;
 };
 
-constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+/// The numbers of a collider's triangles in its asset.
+struct Triangles {
+  std::uint64_t begin = 0, end = 0;
 
-/// Null if the key is absent.
-const json& value_of(const json& object, const char* key) {
-  static const json kNull;
-  if (!object.is_object()) return kNull;
-  const auto found = object.find(key);
-  return found == object.end() ? kNull : *found;
-}
-
-/// Reads parts of an answer. Each function returns whether its value is good.
-class AnswerReader {
- public:
-  explicit AnswerReader(const scene::StagedScene& staged) : staged_(staged) {}
-
-  bool read(const json& value, QueryStats& work) const {
-    List list(value);
-    for (std::uint64_t* const count : {&work.node_pairs, &work.refits, &work.posed_vertices,
-                                       &work.triangle_pairs, &work.displacements})
-      *count = list.below(kAny);
-    return list.is_complete();
-  }
-
-  bool read(const json& value, LeftOut& left_out) const {
-    List list(value);
-    for (std::uint64_t* const count : {&left_out.takes_part, &left_out.rings, &left_out.at_rest,
-                                       &left_out.always, &left_out.joints, &left_out.groups})
-      *count = list.below(kAny);
-    return list.is_complete();
-  }
-
-  bool read(const json& value, check::Undecided& one) const {
-    List list(value);
-    one.a = collider(list);
-    one.b = collider(list);
-    one.verdict = static_cast<pelt::Verdict>(list.below(3));
-    one.pairs = list.below(kAny);
-    one.resolution = list.length();
-    one.distance_bound = list.length();
-    return list.is_complete();
-  }
-
-  bool read(const json& value, check::InsidePair& one) const {
-    List list(value);
-    one.a = collider(list);
-    one.b = collider(list);
-    one.containment = static_cast<Containment>(list.below(3));
-    one.a_in_b.depth = list.length();
-    one.b_in_a.depth = list.length();
-    return list.is_complete() && one.a < one.b;
-  }
-
-  bool read(const json& value, check::DescribedPatch& one) const {
-    List list(value);
-    one.a = collider(list);
-    one.b = collider(list);
-    one.joint_a = list.index(joints(one.a));
-    one.joint_b = list.index(joints(one.b));
-    one.length = static_cast<float>(list.length());
-    return list.is_complete();
-  }
-
-  bool read(const json& value, check::FoundInStep& one) const {
-    List list(value);
-    one.a = collider(list);
-    one.b = collider(list);
-    one.contact = contact(list, one.a, one.b);
-    one.first.seconds = list.length();
-    one.first.share = list.length();
-    for (Feature* const feature : {&one.first.a, &one.first.b}) {
-      feature->kind = static_cast<FeatureKind>(list.below(3));
-      feature->number = static_cast<std::uint8_t>(list.below(3));
-    }
-    return list.is_complete() && one.a <= one.b;
-  }
-
-  bool read(const json& value, check::Deviation& deviation) const {
-    List list(value);
-    deviation.distance = list.length();
-    deviation.collider = collider(list);
-    deviation.vertex = list.index(staged_.colliders[deviation.collider].model.vertex_count());
-    return list.is_complete();
-  }
-
-  template <typename T>
-  bool read(const json& value, std::vector<T>& list) const {
-    if (!value.is_array()) return false;
-    return std::all_of(value.begin(), value.end(),
-                       [&](const json& one) { return read(one, list.emplace_back()); });
-  }
-
-  bool read(const json& value, const Expected& expected, check::StepAnswer& step) const {
-    step.from = step.deviation.from = *expected.step_from;
-    step.to = step.deviation.to = expected.frame;
-    return value_of(value, "from") == step.from && read(value_of(value, "found"), step.found) &&
-           is_ascending(step.found) && read(value_of(value, "deviation"), step.deviation) &&
-           read(value_of(value, "work"), step.work) &&
-           read(value_of(value, "seconds"), step.seconds);
-  }
-
-  bool read(const json& value, double& seconds) const {
-    if (!value.is_number()) return false;
-    seconds = value.get<double>();
-    return std::isfinite(seconds) && seconds >= 0;
-  }
-
- private:
-  std::uint32_t collider(List& list) const { return list.index(staged_.colliders.size()); }
-
-  Contact contact(List& list, std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t of_a = triangle(list, a);
-    return {of_a, triangle(list, b)};
-  }
-
-  /// A triangle of a collider, numbered as in its asset.
-  std::uint32_t triangle(List& list, std::uint32_t of) const {
-    const scene::Collider& collider = staged_.colliders[of];
-    const std::uint64_t number =
-        list.below(std::uint64_t{collider.first_triangle} + collider.model.triangle_count());
-    return std::max(static_cast<std::uint32_t>(number), collider.first_triangle);
-  }
-
-  std::uint64_t joints(std::uint32_t collider) const {
-    return std::max<std::uint64_t>(1, staged_.asset_of(collider).joints.size());
-  }
-
-  static bool is_ascending(const std::vector<check::FoundInStep>& found) {
-    const auto key = [](const check::FoundInStep& f) { return std::tie(f.a, f.b, f.contact); };
-    return std::adjacent_find(found.begin(), found.end(), [&](const auto& x, const auto& y) {
-             return !(key(x) < key(y));
-           }) == found.end();
-  }
-
-  const scene::StagedScene& staged_;
+  explicit Triangles(const scene::Collider& collider)
+      : begin(collider.first_triangle), end(begin + collider.model.triangle_count()) {}
 };
 
-ordered_json answer_json(const FrameAnswer& answer) {
-  ordered_json value = {{"frame", answer.frame},
-                        {"ignored", answer.ignored},
-                        {"left_out", left_out_json(answer.left_out)},
-                        {"undecided", undecided_json(answer.undecided)},
-                        {"inside", inside_json(answer.inside)},
-                        {"patches", patches_json(answer.patches)},
-                        {"step", nullptr},
-                        {"work", work_json(answer.work)},
-                        {"seconds", answer.seconds}};
-  if (answer.step) value["step"] = step_json(*answer.step);
-  return value;
-}
-
-/// Sets all of an answer but its line and its contacts. Returns the key of the first bad value, or
-/// null.
-const char* read_values(const json& value, const Expected& expected, FrameAnswer& answer) {
-  const AnswerReader reader(expected.staged);
-  answer.frame = expected.frame;
-  if (expected.staged.colliders.empty() || value_of(value, "frame") != expected.frame)
-    return "frame";
-  const json& ignored = value_of(value, "ignored");
-  if (!ignored.is_number_unsigned()) return "ignored";
-  answer.ignored = ignored.get<std::uint64_t>();
-  if (!reader.read(value_of(value, "left_out"), answer.left_out)) return "left_out";
-  if (!reader.read(value_of(value, "undecided"), answer.undecided)) return "undecided";
-  if (!reader.read(value_of(value, "inside"), answer.inside)) return "inside";
-  if (!reader.read(value_of(value, "patches"), answer.patches)) return "patches";
-  if (!reader.read(value_of(value, "work"), answer.work)) return "work";
-  if (!reader.read(value_of(value, "seconds"), answer.seconds)) return "seconds";
-  const json& step = value_of(value, "step");
-  if (step.is_null() == expected.step_from.has_value()) return "step";
-  if (!step.is_null() && !reader.read(step, expected, answer.step.emplace())) return "step";
-  return nullptr;
+/// Reads the contacts of the last pair.
+bool read_pair(Numbers& numbers, const Triangles& a, const Triangles& b,
+               scene::FrameContacts& found) {
+  const std::uint64_t count = numbers.next();
+  if (count == 0 || count > numbers.characters_left() / 2) return false;
+  const std::size_t begin = found.contacts.size();
+  found.contacts.resize(begin + count);
+  Contact last;
+  bool is_ascending = true;
+  for (std::size_t i = begin; i < begin + count; ++i) {
+    const auto of_a = static_cast<std::uint32_t>(numbers.step_up(last.triangle_a, a.begin, a.end));
+    const auto of_b = static_cast<std::uint32_t>(numbers.step(last.triangle_b, b.begin, b.end));
+    const Contact contact = {of_a, of_b};
+    is_ascending = is_ascending && (i == begin || last < contact);
+    found.contacts[i] = last = contact;
+  }
+  return is_ascending && numbers.is_good();
 }
 
 }  // namespace
 
 std::string answer_text(const FrameAnswer& answer) {
-  std::string text = output::json_text(answer_json(answer)) + '\n' + answer.line + '\n';
+  std::string text = output::json_text(json_of(answer)) + '\n';
+  text.append(answer.line).append(1, '\n');
   add_contacts(answer.found, text);
   return text + '\n';
 }
@@ -304,9 +294,43 @@ Result<FrameAnswer> read_answer(AnswerLines& lines, const Expected& expected) {
   answer.line = std::move(lines.line);
   if (!read_contacts(lines.contacts, expected.staged.colliders, answer.found))
     return bad("contacts");
-  const char* const key = read_values(**parsed, expected, answer);
-  if (key != nullptr) return bad(key);
+  answer.frame = expected.frame;
+  if (expected.staged.colliders.empty()) return bad("frame");
+  const char* const name = PartReader<FrameAnswer>(**parsed, expected).read(answer);
+  if (name != nullptr) return bad(name);
   return answer;
+}
+
+void add_contacts(const scene::FrameContacts& found, std::string& text) {
+  for (const scene::FrameContacts::Pair& pair : found.pairs) {
+    add_number(pair.a, text);
+    add_number(pair.b, text);
+    add_number(pair.end - pair.begin, text);
+    Contact last;
+    for (const Contact& contact : found.of(pair)) {
+      add_number(contact.triangle_a - last.triangle_a, text);
+      add_number(sign_last(std::int64_t{contact.triangle_b} - last.triangle_b), text);
+      last = contact;
+    }
+  }
+}
+
+bool read_contacts(std::string_view text, std::span<const scene::Collider> colliders,
+                   scene::FrameContacts& found) {
+  Numbers numbers(text);
+  while (numbers.has_more()) {
+    const std::uint64_t a = numbers.next(), b = numbers.next();
+    if (a > b || b >= colliders.size()) return false;
+    scene::FrameContacts::Pair pair = {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                                       found.contacts.size(), 0};
+    if (!found.pairs.empty() &&
+        std::tie(found.pairs.back().a, found.pairs.back().b) >= std::tie(pair.a, pair.b))
+      return false;
+    if (!read_pair(numbers, Triangles(colliders[a]), Triangles(colliders[b]), found)) return false;
+    pair.end = found.contacts.size();
+    found.pairs.push_back(pair);
+  }
+  return numbers.is_good();
 }
 
 }  // namespace pelt::tools::shard

@@ -11,7 +11,9 @@
 #include <cstdint>
 #include <istream>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace pelt::tools::shard {
 
@@ -37,5 +39,20 @@ struct Expected {
 /// without a place, for values that no answer of the frame has: other frames, bodies, triangles or
 /// joints that do not exist, and lists that are not in order.
 Result<check::FrameAnswer> read_answer(AnswerLines& lines, const Expected& expected);
+
+/// Appends the contacts of a frame to `text`, without the end of the line, as compact text: nearly
+/// all of a file is contacts, and `pelt merge` reads all of them.
+///
+/// A number is written in digits of 5 bits, the lowest first, as characters from '0' on; all digits
+/// but the last one have 32 added. A pair of colliders is a, b, the number of its contacts, and
+/// their triangles. These are differences from the contact before (at first from 0): that of
+/// triangle_a, which is not negative, and twice the size of that of triangle_b, plus 1 if it is
+/// negative. Contacts ascend, so most differences have one to three digits.
+void add_contacts(const scene::FrameContacts& found, std::string& text);
+
+/// Appends the contacts of a text to `found`, which must be empty. Returns false unless pairs and
+/// contacts ascend and all colliders and triangles exist.
+bool read_contacts(std::string_view text, std::span<const scene::Collider> colliders,
+                   scene::FrameContacts& found);
 
 }  // namespace pelt::tools::shard

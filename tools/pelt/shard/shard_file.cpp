@@ -1,17 +1,21 @@
 #include "tools/pelt/shard/shard_file.hpp"
 
+#include <pelt/version.hpp>
+
+#include "asset/file_bytes.hpp"
 #include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "base/workers.hpp"
-#include "scenes/takes.hpp"
 #include "tools/pelt/check/ordered_work.hpp"
-#include "tools/pelt/list/scene_entry.hpp"
+#include "tools/pelt/list/entry.hpp"
 #include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/text.hpp"
+#include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/shard/answer_text.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <fstream>
 #include <optional>
 #include <utility>
@@ -21,6 +25,70 @@ namespace {
 
 using list::read_line;
 using nlohmann::json;
+
+constexpr std::uint32_t kVersion = 2;
+
+/// 0 for anything but a whole number from 1 to `most`.
+std::uint32_t parse_number(std::string_view text, std::uint32_t most) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && value <= most ? value : 0;
+}
+
+bool read_shard(const json& value, Shard& shard) {
+  if (!value.is_array() || value.size() != 2) return false;
+  for (const json& number : value)
+    if (!number.is_number_unsigned() || number.get<std::uint64_t>() > kMostShards) return false;
+  shard = {value[0].get<std::uint32_t>(), value[1].get<std::uint32_t>()};
+  return shard.index >= 1 && shard.index <= shard.count;
+}
+
+/// "path" and "hash" of a file.
+Result<nlohmann::ordered_json> input_json(const std::string& path) {
+  const auto bytes = asset::read_file(path);
+  if (!bytes) return bytes.error();
+  detail::Fnv1a64 hash;
+  hash.add_bytes(*bytes);
+  return nlohmann::ordered_json{{"path", path}, {"hash", output::hex16(hash.value())}};
+}
+
+/// Whether the first input is a list with a number of scenes.
+bool has_list(const json& inputs) {
+  if (inputs.empty() || !inputs[0].is_object()) return false;
+  const json scenes = inputs[0].value("scenes", json());
+  return scenes.is_number_unsigned() && scenes.get<std::uint64_t>() <= list::kMostScenes;
+}
+
+Error not_a_shard() {
+  return asset::malformed("not a file of a shard: give files that pelt check --shard wrote");
+}
+
+struct ShardHeader {
+  Shard shard;
+  check::CheckOptions options;  ///< see check::options_json
+  nlohmann::json question;      ///< the arguments and the hashes of the inputs, to be compared
+};
+
+/// Error messages have no place.
+Result<ShardHeader> read_header(const std::string& line) {
+  const Result<asset::ParsedJson> parsed = asset::parse_json(line);
+  if (!parsed || !(*parsed)->is_object() || (*parsed)->value("format", json()) != "pelt-shard")
+    return not_a_shard();
+  const json& object = **parsed;
+  const json version = object.value("version", json()), pelt = object.value("pelt", json());
+  if (version != kVersion || pelt != PELT_VERSION)
+    return asset::unsupported("was written by another version of pelt (" + pelt.dump() +
+                              "): write and merge all shards with one version");
+  ShardHeader header;
+  if (!read_shard(object.value("shard", json()), header.shard) ||
+      !check::read_options(object.value("arguments", json()), header.options) ||
+      !object.value("inputs", json()).is_array())
+    return asset::malformed("the first line is damaged: write this shard again");
+  if (!header.options.scenes.empty() && !has_list(object["inputs"]))
+    return asset::malformed("the first line is damaged: write this shard again");
+  header.question = {{"arguments", object["arguments"]}, {"inputs", object["inputs"]}};
+  return header;
+}
 
 void add_line(const std::string& line, detail::Fnv1a64& hash) {
   hash.add_bytes(std::as_bytes(std::span(line)));
@@ -122,30 +190,6 @@ Result<void> check_indices(std::span<const Opened> shards) {
       "shard " + name + " is missing: write it with --shard " + name + ", or give its file, too"};
 }
 
-/// The scene and the frames of all answers of a check.
-struct ExpectedFrames {
-  const scene::StagedScene& staged;
-  std::vector<std::uint32_t> frames;
-  bool has_steps;
-
-  Expected at(std::size_t index) const {
-    return {staged, frames[index], has_steps ? step_from(index) : std::nullopt};
-  }
-
- private:
-  /// The frame that the step to a frame starts from, if any.
-  std::optional<std::uint32_t> step_from(std::size_t index) const {
-    if (index == 0) return std::nullopt;
-    const std::uint32_t from = frames[index - 1];
-    if (take_of(from) != take_of(frames[index])) return std::nullopt;
-    return from;
-  }
-
-  std::uint32_t take_of(std::uint32_t frame) const {
-    return scenes::take_index(staged.scene, frame);
-  }
-};
-
 /// The answers of the frames of a shard.
 class ShardAnswers {
  public:
@@ -156,19 +200,20 @@ class ShardAnswers {
   };
 
   ShardAnswers(const std::string& path, const Shard& shard, std::istream& in,
-               const ExpectedFrames& expected)
-      : path_(path), shard_(shard), in_(in), expected_(expected) {}
+               const check::Stage& stage)
+      : path_(path), shard_(shard), in_(in), stage_(stage) {}
 
   /// Passes the answers to `use`, in order.
   Result<void> replay(std::uint32_t threads, const check::UseAnswer& use) const {
-    const std::size_t begin = shard_.begin_of(expected_.frames.size());
-    const std::size_t end = shard_.end_of(expected_.frames.size());
+    const check::Indices frames = shard_.of(stage_.frames.size());
     const auto read_next = [this](Item& next) { next.is_there = read_lines(in_, next.lines); };
     const auto interpret = [&](std::uint32_t, std::size_t index, Item& item) {
-      return this->interpret(expected_.at(begin + index), item);
+      return this->interpret({stage_.staged, stage_.frames[frames.begin + index],
+                              stage_.step_from(frames.begin + index)},
+                             item);
     };
     const auto pass_on = [&](const Item& item) { return use(item.answer); };
-    check::OrderedWork<Item> work(end - begin, threads, interpret, pass_on, read_next);
+    check::OrderedWork<Item> work(frames.count(), threads, interpret, pass_on, read_next);
     if (const auto done = work.run(); !done) return done;
     std::string last, next;
     if (!read_line(in_, last) || read_line(in_, next))
@@ -193,7 +238,7 @@ class ShardAnswers {
   const std::string& path_;
   const Shard& shard_;
   std::istream& in_;
-  const ExpectedFrames& expected_;
+  const check::Stage& stage_;
 };
 
 /// Nullopt if the file has no whole answer of a scene at this place.
@@ -201,7 +246,7 @@ std::optional<list::SceneAnswer> read_scene(std::istream& in) {
   list::SceneAnswer answer;
   std::string line;
   if (!read_line(in, line)) return std::nullopt;
-  Result<list::SceneEntry> entry = list::read_entry(line);
+  std::optional<list::SceneEntry> entry = list::read_entry(line);
   if (!entry) return std::nullopt;
   const auto lines = list::read_lines_of(*entry, in);
   if (!lines) return std::nullopt;
@@ -212,6 +257,52 @@ std::optional<list::SceneAnswer> read_scene(std::istream& in) {
 }
 
 }  // namespace
+
+Result<Shard> parse_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  Shard shard = {0, 0};
+  if (slash != std::string::npos) {
+    shard.count = parse_number(std::string_view(text).substr(slash + 1), kMostShards);
+    shard.index = parse_number(std::string_view(text).substr(0, slash), shard.count);
+  }
+  if (shard.index > 0) return shard;
+  return output::bad_argument("--shard", asset::quoted(text) + " is not a shard",
+                              "give I/N, the I-th of N shards, from 1/N to N/N");
+}
+
+Result<json> inputs_of(const arguments::SceneArguments& arguments, const scenes::Scene& scene) {
+  nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
+  if (arguments::asks_for_scene(arguments)) {
+    auto input = input_json(arguments.inputs[0]);
+    if (!input) return input.error();
+    inputs.push_back(std::move(*input));
+  }
+  for (const scenes::Character& character : scene.characters)
+    inputs.push_back({{"path", character.source}, {"hash", output::hex16(character.hash)}});
+  return scene::as_json_holds(inputs);
+}
+
+Result<json> inputs_of(const list::ListPlan& plan) {
+  nlohmann::ordered_json inputs = nlohmann::ordered_json::array();
+  for (const std::string& path : {plan.options.scenes, plan.options.baseline}) {
+    if (path.empty()) continue;
+    auto input = input_json(path);
+    if (!input) return input.error();
+    inputs.push_back(std::move(*input));
+  }
+  inputs[0]["scenes"] = plan.scenes.size();
+  return scene::as_json_holds(inputs);
+}
+
+nlohmann::ordered_json header_json(const Shard& shard, const check::CheckOptions& options,
+                                   const json& inputs) {
+  return {{"format", "pelt-shard"},
+          {"version", kVersion},
+          {"pelt", PELT_VERSION},
+          {"shard", {shard.index, shard.count}},
+          {"arguments", check::options_json(options)},
+          {"inputs", inputs}};
+}
 
 ShardWriter::ShardWriter(std::ostream& out, const nlohmann::ordered_json& header) : out_(out) {
   write(output::json_text(header) + '\n');
@@ -242,14 +333,14 @@ Result<Shards> Shards::open(std::span<const std::string> paths, std::uint32_t th
   });
   if (const auto complete = check_indices(opened); !complete) return complete.error();
   Shards shards;
-  shards.arguments_ = opened[0].header.arguments;
+  shards.options_ = opened[0].header.options;
   shards.inputs_ = opened[0].header.question["inputs"];
   for (Opened& shard : opened) shards.paths_.push_back(std::move(shard.path));
   return shards;
 }
 
 Result<void> Shards::check_inputs(const scenes::Scene& scene) const {
-  const Result<json> inputs = inputs_of(arguments_.scene, scene);
+  const Result<json> inputs = inputs_of(options_.scene, scene);
   if (!inputs) return inputs.error();
   if (*inputs == inputs_) return {};
   std::string name = scene.name;
@@ -271,19 +362,18 @@ Result<void> Shards::each_shard(const ReadShard& read) const {
   return {};
 }
 
-Result<void> Shards::replay(const scene::StagedScene& staged, const check::CheckSettings& settings,
-                            const check::UseAnswer& use) const {
-  const ExpectedFrames expected = {staged, settings.frames.frames(), settings.substeps.has_value()};
-  const std::uint32_t threads = detail::Workers::count_or_available(settings.threads);
+Result<void> Shards::replay(const check::Stage& stage, const check::UseAnswer& use) const {
+  const std::uint32_t threads =
+      detail::Workers::count_or_available(stage.settings.options.threads.value_or(0));
   return each_shard([&](const std::string& path, const Shard& shard, std::istream& in) {
-    return ShardAnswers(path, shard, in, expected).replay(threads, use);
+    return ShardAnswers(path, shard, in, stage).replay(threads, use);
   });
 }
 
 Result<void> Shards::replay_scenes(const list::UseScene& use) const {
   return each_shard(
       [&](const std::string& path, const Shard& shard, std::istream& in) -> Result<void> {
-        for (std::size_t i = shard.begin_of(scenes()); i < shard.end_of(scenes()); ++i) {
+        for (std::size_t i = shard.of(scenes()).count(); i > 0; --i) {
           const std::optional<list::SceneAnswer> answer = read_scene(in);
           if (!answer) return incomplete(path, shard, "lacks a scene");
           if (const auto used = use(*answer); !used) return used;

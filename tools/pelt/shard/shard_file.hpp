@@ -4,10 +4,13 @@
 /// that shows that the file is complete. docs/pelt.1 describes the keys.
 
 #include "base/hash.hpp"
-#include "tools/pelt/check/check_run.hpp"
-#include "tools/pelt/list/list_query.hpp"
-#include "tools/pelt/shard/shard_header.hpp"
+#include "tools/pelt/check/frame_query.hpp"
+#include "tools/pelt/list/list.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <ostream>
 #include <span>
@@ -15,6 +18,37 @@
 #include <vector>
 
 namespace pelt::tools::shard {
+
+/// The share of a check's frames, or of the scenes of a list, that one process queries: the I-th of
+/// N runs of consecutive ones, of nearly equal length.
+struct Shard {
+  std::uint32_t index = 1, count = 1;  ///< index from 1 to count
+
+  /// The indices of its frames or scenes, of this number.
+  check::Indices of(std::size_t number) const {
+    return {share(number, index - 1), share(number, index)};
+  }
+
+ private:
+  std::size_t share(std::uint64_t number, std::uint64_t shards) const {
+    return static_cast<std::size_t>(number * shards / count);
+  }
+};
+
+inline constexpr std::uint32_t kMostShards = 1'000'000;
+
+/// Parses "I/N". The option is --shard.
+Result<Shard> parse_shard(const std::string& text);
+
+/// The hashes of the scene's file, if it has one, and of its models.
+Result<nlohmann::json> inputs_of(const arguments::SceneArguments& arguments,
+                                 const scenes::Scene& scene);
+
+/// The hash of the list, with its number of scenes, and that of the baseline, if there is one.
+Result<nlohmann::json> inputs_of(const list::ListPlan& plan);
+
+nlohmann::ordered_json header_json(const Shard& shard, const check::CheckOptions& options,
+                                   const nlohmann::json& inputs);
 
 class ShardWriter {
  public:
@@ -43,21 +77,20 @@ class Shards {
   /// incomplete, and for shards that are missing, given twice, or from different checks.
   static Result<Shards> open(std::span<const std::string> paths, std::uint32_t threads);
 
-  /// The arguments of the check, without those of its outputs and its verdict.
-  const check::CheckArguments& arguments() const { return arguments_; }
+  /// The options of the check, without those of its outputs and its verdict.
+  const check::CheckOptions& options() const { return options_; }
 
   /// Returns an error if the inputs are no longer those of the shards.
   Result<void> check_inputs(const scenes::Scene& scene) const;
 
-  /// Passes the answers of all frames to `use`, in order. Reads them on `settings.threads` threads,
-  /// and keeps at most four answers per thread in memory. Error messages name the file.
-  Result<void> replay(const scene::StagedScene& staged, const check::CheckSettings& settings,
-                      const check::UseAnswer& use) const;
+  /// Passes the answers of all frames to `use`, in order. Reads them on the threads of the
+  /// settings, and keeps at most four answers per thread in memory. Error messages name the file.
+  Result<void> replay(const check::Stage& stage, const check::UseAnswer& use) const;
 
-  bool is_of_list() const { return !arguments_.scenes.empty(); }
+  bool is_of_list() const { return !options_.scenes.empty(); }
 
   /// The number of scenes of the list. Precondition: is_of_list().
-  std::size_t scenes() const { return scenes_of(inputs_); }
+  std::size_t scenes() const { return inputs_[0]["scenes"].get<std::size_t>(); }
 
   /// Passes the answers of all scenes to `use`, in order. Keeps one in memory. Precondition:
   /// is_of_list().
@@ -71,7 +104,7 @@ class Shards {
   Result<void> each_shard(const ReadShard& read) const;
 
   std::vector<std::string> paths_;  // in order of shards
-  check::CheckArguments arguments_;
+  check::CheckOptions options_;
   nlohmann::json inputs_;
 };
 

@@ -1,11 +1,10 @@
 /// `pelt check`: which triangles collide, frame by frame.
 
+#include "tools/pelt/check/check.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/check/check_arguments.hpp"
-#include "tools/pelt/check/check_command.hpp"
-#include "tools/pelt/list/list_answer.hpp"
+#include "tools/pelt/list/list.hpp"
 #include "tools/pelt/output/text.hpp"
-#include "tools/pelt/shard/shard_run.hpp"
+#include "tools/pelt/shard/shard.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 #include <memory>
@@ -65,16 +64,16 @@ Exit codes: 0 nothing that --fail-on selects, 1 what --fail-on selects (by defau
 --between also any contact between frames, and with --inside any contained body; with --baseline only
 what is new or has grown), 2 bad input or arguments, or nothing to test, 3 internal error.)";
 
-Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
-  if (arguments.scene.inputs.empty() && arguments.scenes.empty())
+Result<arguments::ExitCode> check(const check::CheckOptions& options) {
+  if (options.scene.inputs.empty() && options.scenes.empty())
     return output::bad_argument("INPUT", "is required",
                                 "give a scene or models, or a list with --scenes FILE; see pelt "
                                 "check --help");
-  if (!arguments.shard.empty()) return shard::run_shard(arguments);
-  if (!arguments.shard_file.empty())
+  if (!options.shard.empty()) return shard::run_shard(options);
+  if (!options.shard_file.empty())
     return output::bad_argument("-o", "requires --shard", "name the answer with --jsonl FILE");
-  if (!arguments.scenes.empty()) return list::run_list(arguments);
-  return check::run_check_command(arguments);
+  if (!options.scenes.empty()) return list::run_list(options);
+  return check::run_check(options);
 }
 
 }  // namespace
@@ -82,11 +81,11 @@ Result<arguments::ExitCode> check(const check::CheckArguments& arguments) {
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods) {
   arguments::Verb verb(app, "check", "Find every pair of intersecting triangles in every frame",
                        kFooter);
-  const auto arguments = std::make_shared<check::CheckArguments>();
-  arguments->known_methods = known_methods;
-  check::add_check_options(verb, *arguments);
-  verb.tells(arguments->words);
-  verb.runs([arguments] { return check(*arguments); }, chosen);
+  const auto options = std::make_shared<check::CheckOptions>();
+  options->known_methods = known_methods;
+  check::add_check_options(verb, *options);
+  verb.tells(options->words);
+  verb.runs([options] { return check(*options); }, chosen);
 }
 
 }  // namespace pelt::tools::verbs

@@ -6,7 +6,7 @@
 #include "text/message.hpp"
 #include "text/printable.hpp"
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/check/check_scene.hpp"
+#include "tools/pelt/check/check.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/process.hpp"
@@ -94,14 +94,12 @@ Result<void> write_check(const scenes::Scene& scene, const fs::path& folder,
                          const Result<std::string>& viewer) {
   check::CheckSettings settings;
   settings.frames = {0, scene.frame_count};
-  settings.lists_triangles = true;
-  check::CheckOutputs outputs;
-  outputs.jsonl = (folder / "contacts.jsonl").string();
-  outputs.glb = (folder / "contacts.glb").string();
-  if (viewer) outputs.html = (folder / "report.html").string();
-  outputs.words = "pelt demo";
-  const Result<check::CheckReport> report =
-      check::check_scene(scene, settings, {}, outputs, std::cout);
+  settings.options.pairs = true;
+  settings.options.jsonl = (folder / "contacts.jsonl").string();
+  settings.options.glb = (folder / "contacts.glb").string();
+  if (viewer) settings.options.html = (folder / "report.html").string();
+  settings.options.words = "pelt demo";
+  const Result<check::CheckReport> report = check::check_scene(scene, settings, std::cout);
   if (!report) return report.error();
   return {};
 }

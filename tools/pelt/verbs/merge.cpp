@@ -1,8 +1,8 @@
 /// `pelt merge`: the answer of a check whose frames or scenes were queried in shards.
 
 #include "tools/pelt/arguments/verb.hpp"
-#include "tools/pelt/check/check_command.hpp"
-#include "tools/pelt/list/list_answer.hpp"
+#include "tools/pelt/check/check.hpp"
+#include "tools/pelt/list/list.hpp"
 #include "tools/pelt/output/text.hpp"
 #include "tools/pelt/shard/shard_file.hpp"
 #include "tools/pelt/verbs/commands.hpp"
@@ -30,49 +30,19 @@ no --html and no --glb.)";
 
 struct Arguments {
   std::vector<std::string> files;
-  check::CheckArguments outcome;  ///< only the options of the verdict, the outputs and --threads
+  check::CheckOptions outcome;  ///< only the options of the verdict, the outputs and --threads
 };
-
-/// The arguments of the shards, with those of the outcome.
-check::CheckArguments with_outcome(check::CheckArguments of_shards,
-                                   const check::CheckArguments& outcome) {
-  of_shards.baseline = outcome.baseline;
-  of_shards.fail_on = outcome.fail_on;
-  of_shards.allow_empty = outcome.allow_empty;
-  of_shards.list = outcome.list;
-  of_shards.jsonl = outcome.jsonl;
-  of_shards.html = outcome.html;
-  of_shards.glb = outcome.glb;
-  of_shards.glb_frame = outcome.glb_frame;
-  of_shards.words = outcome.words;
-  of_shards.threads = outcome.threads;
-  return of_shards;
-}
-
-/// Returns the first given option that a list does not have when its shards are merged, with what
-/// to do instead, or null.
-std::pair<const char*, const char*> option_of_one_scene(const check::CheckArguments& outcome) {
-  constexpr const char* kOfShards = "give it to each pelt check --shard";
-  constexpr const char* kAlone = "check that scene alone";
-  if (!outcome.baseline.empty()) return {"--baseline", kOfShards};
-  if (!outcome.fail_on.empty()) return {"--fail-on", kOfShards};
-  if (outcome.allow_empty) return {"--allow-empty", kOfShards};
-  if (!outcome.html.empty()) return {"--html", kAlone};
-  if (!outcome.glb.empty()) return {"--glb", kAlone};
-  return {outcome.glb_frame ? "--glb-frame" : nullptr, kAlone};
-}
 
 /// Merges the shards of a list of scenes.
 Result<arguments::ExitCode> merge_list(const shard::Shards& shards, const Arguments& arguments) {
-  const auto [option, remedy] = option_of_one_scene(arguments.outcome);
-  if (option != nullptr)
-    return output::bad_argument(option, "cannot be combined with shards of a list of scenes",
-                                remedy);
+  const check::CheckOptions& outcome = arguments.outcome;
+  if (const auto* const conflict = check::conflict_with("shards of a list of scenes", outcome))
+    return conflict->error();
   std::vector<output::InputFile> inputs;
   for (const std::string& file : arguments.files) inputs.push_back({file, "the shard " + file});
-  const std::array outputs = {output::NamedOutput{"--jsonl", arguments.outcome.jsonl}};
+  const std::array outputs = {output::NamedOutput{"--jsonl", outcome.jsonl}};
   if (const auto checked = output::check_outputs(outputs, inputs); !checked) return checked.error();
-  return list::write_list(arguments.outcome, shards.scenes(),
+  return list::write_list(outcome, shards.scenes(),
                           [&](const list::UseScene& use) { return shards.replay_scenes(use); });
 }
 
@@ -81,15 +51,15 @@ Result<arguments::ExitCode> merge(const Arguments& arguments, methods::MethodKin
       shard::Shards::open(arguments.files, arguments.outcome.threads.value_or(0));
   if (!shards) return shards.error();
   if (shards->is_of_list()) return merge_list(*shards, arguments);
-  check::CheckArguments of_check = with_outcome(shards->arguments(), arguments.outcome);
-  of_check.known_methods = known_methods;
-  const auto replay = [&](const scene::StagedScene& staged, const check::CheckSettings& settings,
-                          const check::UseAnswer& use) {
-    return shards->replay(staged, settings, use);
+  check::CheckOptions options = shards->options();
+  check::copy_outcome(arguments.outcome, options);
+  options.known_methods = known_methods;
+  const auto replay = [&](const check::Stage& stage, const check::UseAnswer& use) {
+    return shards->replay(stage, use);
   };
   const auto check_scene = [&](const scenes::Scene& scene) { return shards->check_inputs(scene); };
   const check::EarlierAnswers earlier = {replay, arguments.files, check_scene};
-  return check::run_check_command(of_check, &earlier);
+  return check::run_check(options, &earlier);
 }
 
 }  // namespace
@@ -99,8 +69,7 @@ void add_merge(CLI::App& app, arguments::Command& chosen, methods::MethodKinds k
   const auto arguments = std::make_shared<Arguments>();
   verb.option("FILES", arguments->files, "Files that pelt check --shard wrote, in any order",
               {.type = "FILE", .is_required = true});
-  check::add_verdict_options(verb, arguments->outcome);
-  check::add_picture_options(verb, arguments->outcome);
+  check::add_outcome_options(verb, arguments->outcome);
   verb.option("--threads", arguments->outcome.threads,
               "Read the answers on N threads (default: one per core)",
               {.type = "N", .least = 1, .most = 1024});

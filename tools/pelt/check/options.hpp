@@ -1,0 +1,96 @@
+#pragma once
+
+/// The options of `pelt check`, as rows of one table. From the table come the command lines of
+/// `pelt check` and `pelt merge`, the conflicts between options, the arguments in files of shards,
+/// and the options in the header of an answer that need no rule of their own.
+
+#include "tools/pelt/arguments/scene_arguments.hpp"
+#include "tools/pelt/methods/method.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelt::tools::check {
+
+/// The options as given. Empty or nullopt: the option is absent.
+struct CheckOptions {
+  arguments::SceneArguments scene;
+  std::string scenes;  ///< file with a list of scenes
+
+  std::string frames, by = "instance", method = "on_demand", simd;
+  std::optional<std::uint32_t> threads;
+  bool first = false;
+  std::optional<std::uint32_t> max_contacts;
+  std::string self;
+  std::optional<std::uint32_t> self_rings;
+  std::string self_at_rest, self_always, self_near_joints;
+  std::vector<std::string> ignore;
+
+  std::string baseline, fail_on;
+  bool allow_empty = false;
+  std::uint32_t list = 10;
+  std::string jsonl;
+
+  bool pairs = false, contacts = false, inside = false;
+  std::optional<double> clearance;
+  std::optional<std::uint32_t> budget;
+  bool between = false;
+  std::optional<std::uint32_t> substeps;
+
+  std::string html, glb;
+  std::optional<std::uint32_t> glb_frame;
+  std::string shard, shard_file;
+
+  methods::MethodKinds known_methods;  ///< possible values of --method
+  std::string words;                   ///< the command line
+  /// The part of the baseline of a list that belongs to this scene; "": there is none, so all
+  /// contacts are new. Nullopt: the baseline is the file.
+  std::optional<std::string> baseline_text;
+};
+
+/// Adds the options of `pelt check`, with those of its scene.
+void add_check_options(arguments::Verb& verb, CheckOptions& options);
+
+/// Adds the options of the verdict and of the outputs, which `pelt merge` has, too.
+void add_outcome_options(arguments::Verb& verb, CheckOptions& options);
+
+/// Copies what does not affect the answers of frames: the options of the verdict, of the outputs
+/// and of the machine, and the words of the command line.
+void copy_outcome(const CheckOptions& from, CheckOptions& to);
+
+/// Resets the options of the verdict.
+void clear_verdict(CheckOptions& options);
+
+/// An option that cannot be combined with another one.
+struct Conflict {
+  const char *option, *with, *remedy;
+
+  Error error() const;
+};
+
+/// Returns the first conflict of an option with one that is given, or null.
+const Conflict* conflict_of(std::string_view option, const CheckOptions& given);
+
+/// Returns the first conflict of an option that is given with `with`, or null.
+const Conflict* conflict_with(std::string_view with, const CheckOptions& given);
+
+/// The options that the answers of frames depend on, for files of shards. Those of the verdict are
+/// given only for a list of scenes.
+nlohmann::ordered_json options_json(const CheckOptions& options);
+
+/// Sets the options that `options_json` wrote. Returns false if one is missing or has another type.
+bool read_options(const nlohmann::json& json, CheckOptions& options);
+
+/// Adds the options of the question that are given, and have no rule of their own, to "options" of
+/// the header of an answer.
+void add_plain_questions(const CheckOptions& options, nlohmann::ordered_json& header);
+
+/// The keys of the options that `add_plain_questions` adds.
+std::vector<std::string> keys_of_plain_questions();
+
+}  // namespace pelt::tools::check
