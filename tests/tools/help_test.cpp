@@ -97,6 +97,35 @@ TEST(Manual, HasEveryVerbAndOption) {
   }
 }
 
+/// The options of a verb as lines of a manual page, in the order of --help.
+std::string manual_of_options(const std::string& help) {
+  const std::regex option("^  (--?[a-z][a-z-]*)( (?:[^ :=]|:(?![0-9]))+)?");
+  std::vector<std::string> lines;
+  for (const std::string& line : lines_of(help.substr(0, help.find("Examples:")))) {
+    std::smatch match;
+    if (!std::regex_search(line, match, option)) continue;
+    const std::string name = match[1], type = match[2];
+    if (name == "-h" || name == "--help-all") continue;
+    const std::string escaped = std::regex_replace(name, std::regex("-"), "\\-");
+    const bool is_flag = type.empty() || type.starts_with(" Excludes");
+    lines.push_back(is_flag ? ".BR " + escaped + " " : ".BI " + escaped + " \"" + type + "\" ");
+  }
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    text += lines[i] + (i + 1 < lines.size() ? ",\n" : ".\n");
+  return text;
+}
+
+TEST(Manual, ListsTheOptionsOfCheck) {
+  const TestFolder folder;
+  const std::string list = manual_of_options(run_pelt(folder, {"check", "--help"}).out);
+  EXPECT_GT(std::count(list.begin(), list.end(), '\n'), 40);
+  const std::string page = read_text(std::string(PELT_DOCS_DIR) + "/pelt.1");
+  EXPECT_NE(page.find("writes this list.\n" + list + ".PP\n"), std::string::npos)
+      << "write this list into docs/pelt.1:\n"
+      << list;
+}
+
 TEST(Manual, IsWithoutFault) {
   const std::string page = std::string(PELT_DOCS_DIR) + "/pelt.1";
   const Ended run = run_program(".", {"groff", "-ww", "-man", "-z", "-Tutf8", page});
