@@ -22,7 +22,8 @@ struct MovingTriangleBoxes {
 
   /// Returns which of the triangles `asked` may overlap `box`, one bit each.
   template <typename Overlap>
-  unsigned near(unsigned asked, const MovingBoxes8& box, const Overlap& overlap) const {
+  [[gnu::always_inline]] unsigned near(unsigned asked, const MovingBoxes8& box,
+                                       const Overlap& overlap) const {
     unsigned found = 0;
     if ((asked & 0xFF) != 0) found = overlap(eight(0), box);
     if (asked >> 8 != 0) found |= overlap(eight(8), box) << 8;
@@ -103,8 +104,8 @@ class MovingPairs {
 
   TrianglePairs8 corners8(const float* Side::*end) const;
 
-  Points8 corner8(const Tree& tree, Side Pair::*side, const float* Side::*end,
-                  std::size_t k) const {
+  [[gnu::always_inline]] Points8 corner8(const Tree& tree, Side Pair::*side,
+                                         const float* Side::*end, std::size_t k) const {
     return gather_points([&](std::uint32_t lane) __attribute__((always_inline)) {
       const Side& s = waiting_[lane].*side;
       return s.*end + tree.corners[s.triangle][k];
