@@ -1,7 +1,7 @@
 #include <pelt/collide.hpp>
 
-#include "collide/collide_trees.hpp"
 #include "collide/cluster_pair.hpp"
+#include "collide/collide_trees.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"
 #include "support/limbs.hpp"

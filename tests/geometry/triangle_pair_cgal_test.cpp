@@ -10,7 +10,6 @@
 #include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 
-
 namespace pelt::test {
 namespace {
 

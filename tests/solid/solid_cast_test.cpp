@@ -1,7 +1,6 @@
 #include "solids.hpp"
 #include "support/values.hpp"
 
-
 namespace pelt {
 namespace {
 

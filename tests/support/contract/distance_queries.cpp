@@ -119,7 +119,7 @@ void add_distance_queries(Queries& queries) {
                          expect_equal(found, test::brute_distance(a, b), a, b);
                        },
                    .is_hit = [](const Distance& found) { return found.distance == 0; },
-                   .traits = {.of_two_bodies = true},
+                   .traits = {.of_two_bodies = true, .varies_in_work = true},
                    .expect_swapped =
                        [](const Distance& found, const Distance& swapped) {
                          EXPECT_NEAR(swapped.distance, found.distance, 1e-12 * found.distance);

@@ -96,7 +96,7 @@ Stage::Stage(Body first, Body second, const Stage& like)
 Stage Stage::given() const { return {a.given(), b.given(), *this}; }
 
 void Stage::close(bool reserved) {
-  constexpr std::size_t kContacts = 20'000;
+  constexpr std::size_t kContacts = 60'000;
   a.renew(), b.renew();
   scratch = Scratch();
   if (!reserved) return;
