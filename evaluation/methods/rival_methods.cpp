@@ -1,10 +1,7 @@
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/methods/posed_mesh_adapter.hpp"
-#include "evaluation/rivals/aabb.hpp"
 #include "evaluation/rivals/bd_tree.hpp"
-#include "evaluation/rivals/hash.hpp"
-#include "evaluation/rivals/hash_overlap.hpp"
-#include "evaluation/rivals/hybrid.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
 #include "tools/pelt/methods/paper_method.hpp"
 
 namespace pelt::lab {

@@ -4,6 +4,7 @@
 #include <vector>
 
 namespace pelt::peers {
+
 namespace {
 
 std::vector<Contact> as_set(std::span<const Contact> contacts) {
@@ -32,6 +33,44 @@ Difference& Difference::operator+=(const Difference& other) {
 Difference compare(std::span<const Contact> answer, std::span<const Contact> exact) {
   const std::vector<Contact> ours = as_set(answer), theirs = as_set(exact);
   return {count_only_in(theirs, ours), count_only_in(ours, theirs), answer.size() - ours.size()};
+}
+
+namespace {
+
+/// The contact of these triangles, or null.
+const MovingContact* find(std::span<const MovingContact> contacts, const Contact& contact) {
+  const auto place = std::lower_bound(
+      contacts.begin(), contacts.end(), contact,
+      [](const MovingContact& moving, const Contact& key) { return moving.contact < key; });
+  return place != contacts.end() && place->contact == contact ? &*place : nullptr;
+}
+
+}  // namespace
+
+MovingDifference& MovingDifference::operator+=(const MovingDifference& other) {
+  missing_at_start += other.missing_at_start;
+  missing_later += other.missing_later;
+  extra += other.extra;
+  early += other.early;
+  late += other.late;
+  return *this;
+}
+
+MovingDifference compare_moving(std::span<const MovingContact> answer,
+                                std::span<const MovingContact> exact) {
+  MovingDifference difference;
+  for (const MovingContact& contact : answer)
+    difference.extra += find(exact, contact.contact) == nullptr;
+  for (const MovingContact& contact : exact) {
+    const MovingContact* const found = find(answer, contact.contact);
+    if (found == nullptr) {
+      ++(contact.at_start ? difference.missing_at_start : difference.missing_later);
+    } else if (!contact.at_start) {
+      difference.early += found->time < contact.time - kTimeTolerance;
+      difference.late += found->time > contact.time + kTimeTolerance;
+    }
+  }
+  return difference;
 }
 
 }  // namespace pelt::peers

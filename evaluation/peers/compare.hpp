@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pelt/collide.hpp>
+#include <pelt/motion.hpp>
 
 #include <cstddef>
 #include <span>
@@ -19,5 +20,24 @@ struct Difference {
 
 /// Compares sets: the order of the contacts does not matter.
 Difference compare(std::span<const Contact> answer, std::span<const Contact> exact);
+
+/// Difference between contacts of a step and the exact ones.
+struct MovingDifference {
+  std::size_t missing_at_start = 0;  ///< exact contacts that intersect at time 0, and are missing
+  std::size_t missing_later = 0;     ///< exact contacts that first intersect later, and are missing
+  std::size_t extra = 0;             ///< pairs that never intersect
+  std::size_t early = 0;             ///< times that are earlier than the exact ones ...
+  std::size_t late = 0;              ///< ... or later, by more than kTimeTolerance
+
+  MovingDifference& operator+=(const MovingDifference& other);
+  friend bool operator==(const MovingDifference&, const MovingDifference&) = default;
+};
+
+inline constexpr float kTimeTolerance = 1e-4f;
+
+/// Compares sets. Times of contacts that intersect at time 0 are not compared. Precondition: both
+/// are ascending.
+MovingDifference compare_moving(std::span<const MovingContact> answer,
+                                std::span<const MovingContact> exact);
 
 }  // namespace pelt::peers

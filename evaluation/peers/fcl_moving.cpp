@@ -11,7 +11,7 @@
 /// The tolerances are absolute: in metres, coefficients of the cubics of small triangles are below
 /// them, and answers are often wrong. In millimetres, they are nearly right. Positions are
 /// multiplied by a scale, therefore.
-#include "evaluation/peers/moving_peer.hpp"
+#include "evaluation/peers/adapters.hpp"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/AABB.h>

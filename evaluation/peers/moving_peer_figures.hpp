@@ -5,8 +5,8 @@
 /// that Pelt's fastest code skins, which counts as part of their cost.
 
 #include "evaluation/bench/moving_bench.hpp"
-#include "evaluation/peers/moving_compare.hpp"
-#include "evaluation/peers/moving_peer.hpp"
+#include "evaluation/peers/adapters.hpp"
+#include "evaluation/peers/compare.hpp"
 
 #include <ostream>
 #include <string>

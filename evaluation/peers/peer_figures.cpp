@@ -1,9 +1,93 @@
 #include "evaluation/peers/peer_figures.hpp"
 
+#include "evaluation/methods/lab_methods.hpp"
+#include "evaluation/methods/posed_mesh_adapter.hpp"
+#include "evaluation/peers/peers.hpp"
+#include "text/format.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
+
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iomanip>
 
 namespace pelt::tools {
+
+namespace {
+
+using bench::Asked;
+using bench::BenchMethod;
+using bench::method_of;
+using bench::self_method;
+using peers::Peer;
+using scene::Collider;
+using scene::SceneQuery;
+
+class SkinningOnly final : public rivals::PosedMeshMethod {
+ public:
+  void add(std::span<const Triangle>, std::span<const Vec3>) override {}
+  void update(std::uint32_t, std::span<const Vec3>) override {}
+  QueryStats collide(std::uint32_t, std::uint32_t, std::vector<Contact>&, std::uint32_t) override {
+    return {};
+  }
+};
+
+using MakeMethod = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
+
+BenchMethod method_from(std::string_view name, const MakeMethod& make) {
+  return {std::string(name), [make](std::span<const Collider> colliders) {
+            return SceneQuery(colliders, lab::adapt(make()));
+          }};
+}
+
+BenchMethod self_method_from(std::string_view name, const MakeMethod& make) {
+  return {std::string(name),
+          [make](std::span<const Collider> colliders) {
+            return SceneQuery::of_each(colliders, lab::adapt(make()));
+          },
+          Asked::self};
+}
+
+Contestant of_peer(const Peer& peer, BenchMethod method) {
+  return {std::move(method), std::string(peer.name), peer.version, std::string(peer.update),
+          peer.narrow_phase == peers::NarrowPhase::ours ? "ours" : "its own"};
+}
+
+std::vector<Contestant> contestants_in_pairs() {
+  std::vector<Contestant> all = {
+      {method_of(methods::kOnDemand), "pelt on_demand", "", "palettes", "ours", true},
+      {method_of(methods::kEager), "pelt eager", "", "skin, refit", "ours", true}};
+  for (const Peer& peer : peers::all_peers())
+    all.push_back(of_peer(
+        peer, method_from(peer.name, [name = peer.name] { return peers::make_peer(name); })));
+  return all;
+}
+
+std::vector<Contestant> contestants_by_themselves() {
+  std::vector<Contestant> all = {
+      {self_method(methods::kSelf), "pelt self", "", "palettes", "ours", true},
+      {self_method(lab::kSelfEager), "pelt eager", "", "skin, refit", "ours", true}};
+  for (const Peer& peer : peers::all_self_peers())
+    all.push_back(of_peer(peer, self_method_from(peer.name, [name = peer.name] {
+                            return peers::make_self_peer(name);
+                          })));
+  return all;
+}
+
+}  // namespace
+
+std::vector<Contestant> contestants(Contest contest) {
+  return contest == Contest::self ? contestants_by_themselves() : contestants_in_pairs();
+}
+
+BenchMethod skinning_method() {
+  return method_from("skinning", [] { return std::make_unique<SkinningOnly>(); });
+}
+
+BenchMethod exact_method(Contest contest) {
+  return contest == Contest::self ? self_method(methods::kSelfBrute) : method_of(methods::kBrute);
+}
+
 namespace {
 
 using bench::BenchMethod;
@@ -122,6 +206,61 @@ Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitio
   for (std::size_t m = 0; m < scene.methods.size(); ++m)
     set_times((*times)[m + 1], all[m].is_ours ? 0 : skinning_us, scene.methods[m]);
   return scene;
+}
+
+namespace {
+
+constexpr int kName = 18, kWord = 13, kColumn = 12;
+
+void print_head(std::ostream& out) {
+  out << std::left << std::setw(kName) << "method" << std::setw(kWord) << "update"
+      << std::setw(kWord) << "narrow phase" << std::right;
+  for (const char* head :
+       {"skinning", "update", "all", "first", "frame", "to first", "of pelt's", "missing", "extra"})
+    out << std::setw(kColumn) << head;
+  out << '\n';
+}
+
+void print_row(const ScenePeers& scene, const PeerFigures& figures, std::ostream& out) {
+  out << std::left << std::setw(kName) << figures.method << std::setw(kWord) << figures.update
+      << std::setw(kWord) << figures.narrow_phase << std::right;
+  for (const double time : {figures.skinning_us, figures.update_us, figures.all_us,
+                            figures.first_us, figures.frame_us, figures.first_frame_us})
+    out << std::setw(kColumn) << text::fixed(time, 1);
+  out << std::setw(kColumn) << text::fixed(cost_over_pelt(scene, figures), 1);
+  for (const std::size_t count : {figures.difference.missing, figures.difference.extra})
+    out << std::setw(kColumn) << text::with_commas(count);
+  out << '\n';
+}
+
+}  // namespace
+
+void print_peers(const ScenePeers& scene, std::ostream& out) {
+  out << scene.scene << ": " << text::with_commas(scene.triangles) << " triangles, "
+      << text::counted(scene.frames, "frame") << " of which " << scene.frames_in_contact
+      << " in contact, " << text::with_commas(scene.contacts) << " contacts in all\n"
+      << "microseconds a frame on one thread, medians of " << scene.repetitions
+      << ", means over the frames; less is better"
+      << (scene.contest == Contest::self ? "; \"of pelt's\" without the skinning of others\n"
+                                         : "\n");
+  print_head(out);
+  for (const PeerFigures& figures : scene.methods) print_row(scene, figures, out);
+  out << '\n';
+}
+
+void write_peers_csv(std::span<const ScenePeers> scenes, std::ostream& out) {
+  out << "scene,triangles,frames,frames_in_contact,contacts,repetitions,method,version,update,"
+         "narrow_phase,skinning_us,update_us,query_all_us,query_first_us,frame_all_us,"
+         "frame_first_us,missing,extra,repeated\n";
+  for (const ScenePeers& scene : scenes)
+    for (const PeerFigures& figures : scene.methods)
+      out << scene.scene << ',' << scene.triangles << ',' << scene.frames << ','
+          << scene.frames_in_contact << ',' << scene.contacts << ',' << scene.repetitions << ','
+          << figures.method << ',' << figures.version << ",\"" << figures.update << "\","
+          << figures.narrow_phase << ',' << figures.skinning_us << ',' << figures.update_us << ','
+          << figures.all_us << ',' << figures.first_us << ',' << figures.frame_us << ','
+          << figures.first_frame_us << ',' << figures.difference.missing << ','
+          << figures.difference.extra << ',' << figures.difference.repeated << '\n';
 }
 
 }  // namespace pelt::tools

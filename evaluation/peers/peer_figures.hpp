@@ -1,5 +1,7 @@
 #pragma once
 
+/// Which methods are compared, for pairs of instances and for instances against themselves.
+///
 /// Times and answers of peers for a scene, and of Pelt in the same run.
 ///
 /// Measured as by `pelt bench` (tools/pelt/bench/measure.hpp). All peers start from vertices that
@@ -7,14 +9,35 @@
 /// of the cost of each peer.
 
 #include "evaluation/peers/compare.hpp"
-#include "evaluation/peers/contests.hpp"
 #include "tools/pelt/bench/measure.hpp"
+#include "tools/pelt/bench/runner.hpp"
 
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace pelt::tools {
+
+enum class Contest {
+  pairs,  ///< every pair of instances
+  self,   ///< each instance against itself
+};
+
+/// A method that is compared, and how it is described.
+struct Contestant {
+  bench::BenchMethod method;
+  std::string name, version, update, narrow_phase;
+  bool is_ours = false;  ///< skins during its update or query
+};
+
+/// Pelt's methods, then the peers.
+std::vector<Contestant> contestants(Contest contest);
+
+/// Skins all vertices, which every peer needs, and finds nothing.
+bench::BenchMethod skinning_method();
+
+/// Brute force, the exact answer.
+bench::BenchMethod exact_method(Contest contest);
 
 /// One method; times are in microseconds per frame.
 struct PeerFigures {

@@ -1,7 +1,6 @@
 #include "evaluation/peers/peers.hpp"
 
 #include "evaluation/peers/adapters.hpp"
-#include "evaluation/peers/self_adapters.hpp"
 
 #include <algorithm>
 #include <array>

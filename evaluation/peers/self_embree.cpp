@@ -1,9 +1,9 @@
 /// Embree's rtcCollide of a scene with itself, on a tree of boxes that is refitted. The narrow
 /// phase is ours. A query cannot be stopped: once there are enough contacts, other pairs are
 /// ignored.
+#include "evaluation/peers/adapters.hpp"
+#include "evaluation/peers/candidates.hpp"
 #include "evaluation/peers/embree_body.hpp"
-#include "evaluation/peers/self_adapters.hpp"
-#include "evaluation/peers/self_candidates.hpp"
 
 #include <memory>
 

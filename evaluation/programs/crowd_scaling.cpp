@@ -2,8 +2,7 @@
 /// instances of a character, or the instances of a scene. Prints the best of several runs, because
 /// other programs may use the machine. scripts/plot-crowd-growth draws the table.
 
-#include "evaluation/programs/crowd_run.hpp"
-#include "evaluation/programs/walking_crowd.hpp"
+#include "evaluation/programs/crowd.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"

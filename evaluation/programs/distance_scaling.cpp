@@ -4,8 +4,8 @@
 /// may use the machine. Prints nothing if answers differ.
 
 #include "distance/pair_search.hpp"
+#include "evaluation/programs/crowd.hpp"
 #include "evaluation/programs/program.hpp"
-#include "evaluation/programs/walking_crowd.hpp"
 #include "model/model.hpp"
 #include "pose/eager_pose.hpp"
 #include "scenes/scene.hpp"

@@ -4,10 +4,7 @@
 #include "evaluation/reproduce/comparison_tables.hpp"
 #include "evaluation/reproduce/facing_pair.hpp"
 #include "evaluation/reproduce/method_title.hpp"
-#include "evaluation/rivals/aabb.hpp"
-#include "evaluation/rivals/hash.hpp"
-#include "evaluation/rivals/hash_overlap.hpp"
-#include "evaluation/rivals/hybrid.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
 
 namespace pelt::reproduce {
 namespace {

@@ -1,6 +1,6 @@
 /// Walking crowds, queried as a whole by one thread, and pair by pair.
 
-#include "evaluation/programs/walking_crowd.hpp"
+#include "evaluation/programs/crowd.hpp"
 #include "evaluation/reproduce/growth.hpp"
 #include "evaluation/reproduce/pairwise_run.hpp"
 #include "text/format.hpp"

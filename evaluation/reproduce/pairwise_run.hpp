@@ -1,7 +1,7 @@
 #pragma once
 
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/programs/crowd_run.hpp"
+#include "evaluation/programs/crowd.hpp"
 
 #include <memory>
 

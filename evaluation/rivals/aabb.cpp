@@ -1,8 +1,18 @@
-#include "evaluation/rivals/aabb.hpp"
+/// Trees of axis-aligned boxes over posed vertices.
+///
+/// AabbRefit: van den Bergen 1997, "Efficient collision detection of complex deformable models
+/// using AABB trees", section 4: the tree of the rest positions, with its boxes recomputed from the
+/// leaves to the root. Collision libraries use this for deforming meshes. AabbRebuild: the same
+/// tree, built again, which is tighter and more expensive.
+///
+/// Strengthened: built by the surface area heuristic, while the source cuts at medians; several
+/// triangles per leaf; leaves are refitted from lists of their distinct vertices in memory order;
+/// both trees are descended simultaneously.
+
+#include "evaluation/rivals/posed_mesh_method.hpp"
 
 #include "evaluation/rivals/box_descent.hpp"
-#include "evaluation/rivals/shared_shapes.hpp"
-#include "evaluation/rivals/tree_shape.hpp"
+#include "evaluation/rivals/box_tree.hpp"
 
 namespace pelt::rivals {
 namespace {

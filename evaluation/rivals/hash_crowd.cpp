@@ -1,6 +1,6 @@
 #include "evaluation/rivals/hash_crowd.hpp"
 
-#include "evaluation/rivals/cell_table.hpp"
+#include "evaluation/rivals/cell_grid.hpp"
 #include "evaluation/rivals/pair_tests.hpp"
 
 #include <optional>

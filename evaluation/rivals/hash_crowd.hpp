@@ -6,7 +6,7 @@
 /// all other bodies' boxes. Queries no pair of bodies separately, and needs no list of near pairs.
 /// Limits on contacts work, but save little. Precondition of a query: all bodies have been updated.
 
-#include "evaluation/rivals/hash.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
 
 namespace pelt::rivals {
 

@@ -1,6 +1,14 @@
-#include "evaluation/rivals/hash_overlap.hpp"
+/// Spatial hashing (hash.hpp) restricted to the overlap of two bodies. An update enters nothing. A
+/// query selects the triangles of both bodies that reach into the intersection of the bodies'
+/// boxes, finds the cells of the intersection that both bodies touch (common_cells.hpp), and sorts
+/// one body's triangles into these cells by counting. There are no chains, no hash, and no table
+/// larger than the sorted triangles. If one contact suffices, the query processes the intersection
+/// slab by slab and stops at the first slab with a contact; a pair that lies in two slabs is
+/// harmless then.
 
-#include "evaluation/rivals/common_cells.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
+
+#include "evaluation/rivals/cell_grid.hpp"
 #include "evaluation/rivals/pair_tests.hpp"
 
 namespace pelt::rivals {

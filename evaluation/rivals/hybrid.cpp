@@ -1,8 +1,14 @@
-#include "evaluation/rivals/hybrid.hpp"
+/// Larsson & Akenine-Moller 2001, "Collision detection for continuously deforming bodies": a tree
+/// of boxes. Every update refits the upper half of the levels bottom-up. Each box below is computed
+/// from the vertices below it when a query opens its parent, at most once per update.
+///
+/// Strengthened like aabb.hpp. In addition, the boxes at the cut, which cost most, are computed
+/// from lists of distinct vertices.
+
+#include "evaluation/rivals/posed_mesh_method.hpp"
 
 #include "evaluation/rivals/box_descent.hpp"
-#include "evaluation/rivals/shared_shapes.hpp"
-#include "evaluation/rivals/tree_shape.hpp"
+#include "evaluation/rivals/box_tree.hpp"
 
 #include <algorithm>
 

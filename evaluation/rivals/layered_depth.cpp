@@ -1,7 +1,5 @@
 #include "evaluation/rivals/layered_depth.hpp"
 
-#include "evaluation/rivals/rasteriser.hpp"
-
 namespace pelt::rivals {
 
 void LayeredDepth::update(std::uint32_t body, std::span<const Vec3> positions) {

@@ -1,12 +1,9 @@
 #pragma once
 
-/// The interface of methods that start from posed vertices and do not use joints, like most
-/// libraries that people use for animated characters. Measuring such a method includes skinning all
-/// vertices first.
-
 #include <pelt/collide.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,5 +27,29 @@ class PosedMeshMethod {
   virtual QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                              std::uint32_t max_contacts) = 0;
 };
+
+// --- methods of other papers, each described in the file that defines it
+
+struct TreeOptions {
+  std::uint32_t leaf_triangles = 16;  ///< at most; 1 to 32
+};
+
+/// Trees of boxes over posed vertices: aabb.cpp.
+std::unique_ptr<PosedMeshMethod> make_aabb_refit(const TreeOptions& options = {});
+std::unique_ptr<PosedMeshMethod> make_aabb_rebuild(const TreeOptions& options = {});
+
+/// A tree of boxes whose lower half is refitted on demand: hybrid.cpp.
+std::unique_ptr<PosedMeshMethod> make_hybrid(const TreeOptions& options = {});
+
+struct HashOptions {
+  /// Edge of a cell over the mean edge of the mesh at rest.
+  float cell_edges = 3;
+};
+
+/// Triangles hashed into cells: hash.cpp.
+std::unique_ptr<PosedMeshMethod> make_hash(const HashOptions& options = {});
+
+/// The same, only where the boxes of the bodies overlap: hash_overlap.cpp.
+std::unique_ptr<PosedMeshMethod> make_hash_overlap(const HashOptions& options = {});
 
 }  // namespace pelt::rivals

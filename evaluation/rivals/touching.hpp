@@ -4,11 +4,17 @@
 /// (geometry/triangle_triage.hpp) for eight pairs at a time, and the exact predicate for undecided
 /// pairs. The comparison therefore shows how the pairs are found.
 
-#include "evaluation/rivals/posed_mesh.hpp"
-
 #include <pelt/collide.hpp>
+#include <pelt/math.hpp>
+#include <pelt/mesh.hpp>
 
 namespace pelt::rivals {
+
+/// A posed body as plain pointers, for code that is compiled for each instruction set.
+struct PosedMesh {
+  const Triangle* triangles = nullptr;
+  const Vec3* positions = nullptr;
+};
 
 inline constexpr std::uint32_t kPairsAtOnce = 8;
 

@@ -1,6 +1,6 @@
 /// Reads the output of `pelt bench --json`, and other files.
 
-#include "evaluation/bench/baseline.hpp"
+#include "evaluation/bench/against.hpp"
 
 #include "tools/pelt/bench/figures.hpp"
 

@@ -1,6 +1,6 @@
 /// Every sphere of a BD-tree encloses the float32 posed vertices below it.
 
-#include "evaluation/rivals/bd_refit.hpp"
+#include "evaluation/rivals/bd_tree.hpp"
 
 #include "paper/posed_mesh.hpp"
 

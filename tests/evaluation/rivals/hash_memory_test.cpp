@@ -2,8 +2,8 @@
 /// edge.
 
 #include "evaluation/rivals/hash_crowd.hpp"
-#include "evaluation/rivals/hash_overlap.hpp"
 #include "evaluation/rivals/posed_bodies.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
 #include "support/largest_allocation.hpp"
 
 #include <gtest/gtest.h>

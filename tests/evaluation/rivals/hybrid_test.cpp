@@ -1,4 +1,4 @@
-#include "evaluation/rivals/hybrid.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
 
 #include "evaluation/rivals/posed_bodies.hpp"
 

@@ -4,7 +4,6 @@
 #include "evaluation/rivals/layered_depth.hpp"
 
 #include "evaluation/rivals/posed_bodies.hpp"
-#include "evaluation/rivals/rasteriser.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,9 @@
 /// Every method that starts from posed vertices finds the contacts of brute force, on bodies that
 /// are hard for trees and grids.
 
-#include "evaluation/rivals/aabb.hpp"
 #include "evaluation/rivals/hash_crowd.hpp"
-#include "evaluation/rivals/hash_overlap.hpp"
-#include "evaluation/rivals/hybrid.hpp"
 #include "evaluation/rivals/posed_bodies.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
 
 #include <pelt/model.hpp>
 #include <pelt/pose.hpp>
