@@ -10,6 +10,7 @@
 #include "scenes/creature.hpp"
 #include "solid/region_oracle.hpp"
 #include "support/instruction_sets.hpp"
+#include "support/random.hpp"
 #include "support/values.hpp"
 #include "tools/pelt/methods/brute_force.hpp"
 

@@ -51,15 +51,6 @@ std::optional<SteppingBody> make_step(FuzzBytes& bytes) {
   return step;
 }
 
-MovingContact moving_contact(const Contact& pair, const detail::FirstMeeting& first) {
-  MovingContact contact = {pair, first.time, first.at_start, {}, {}};
-  const auto feature = [](const detail::ClosedFeature& f) {
-    return Feature{static_cast<FeatureKind>(f.kind), f.number};
-  };
-  if (!first.at_start) contact.a = feature(first.a), contact.b = feature(first.b);
-  return contact;
-}
-
 /// What the queries should find.
 struct Expected {
   std::vector<MovingContact> contacts;
@@ -72,7 +63,7 @@ struct Expected {
       for (std::uint32_t k = 0; k < b.triangles.size(); ++k) {
         const auto meeting = detail::find_first_meeting(a.triangles[i], b.triangles[k], work);
         if (!meeting) continue;
-        contacts.push_back(moving_contact({i, k}, *meeting));
+        contacts.push_back(detail::moving_contact({i, k}, *meeting));
         const detail::MeetingPair pair = {a.triangles[i], b.triangles[k], *meeting};
         if (earliest && !is_earlier(pair, *earliest)) continue;
         earliest = pair;

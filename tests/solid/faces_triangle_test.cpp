@@ -109,7 +109,7 @@ TEST(FacesTriangle, TouchesAtAnEdgeAndACornerOfABox) {
 
 TEST(FacesTriangle, NoFacesAreAllOfSpaceAndContradictingOnesNothing) {
   const TriangleCorners triangle = {Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}};
-  EXPECT_EQ(place_triangle(triangle, {}), TrianglePlace::inside);
+  EXPECT_EQ(place_triangle(triangle, std::span<const Face>()), TrianglePlace::inside);
   const Face nothing[] = {{{1, 0, 0}, {}, 1}, {{-1, 0, 0}, {}, -2}};
   EXPECT_EQ(place_triangle(triangle, nothing), TrianglePlace::apart);
   const Face nowhere[] = {{{0, 0, 0}, {}, -1}};

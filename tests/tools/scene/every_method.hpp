@@ -4,6 +4,7 @@
 
 #include "tools/pelt/methods/method.hpp"
 #include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 
 #include <gtest/gtest.h>
 
