@@ -1,6 +1,5 @@
 #include "tools/pelt/bench/bench_run.hpp"
 
-#include "scenes/closest_name.hpp"
 #include "text/format.hpp"
 #include "text/message.hpp"
 #include "text/printable.hpp"
@@ -123,7 +122,7 @@ Result<std::vector<std::size_t>> parse_names(const char* option, const std::stri
     if (found == names.end())
       return Error{ErrorCode::invalid_argument, std::string(option) + ": unknown value " +
                                                     text::quoted(name) +
-                                                    scenes::suggestion(name, names)};
+                                                    text::suggestion(name, names)};
     const auto at = static_cast<std::size_t>(found - names.begin());
     if (std::find(chosen.begin(), chosen.end(), at) == chosen.end()) chosen.push_back(at);
   }

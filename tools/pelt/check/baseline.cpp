@@ -2,8 +2,8 @@
 
 #include "asset/file_bytes.hpp"
 #include "asset/json_object.hpp"
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/check/json_fields.hpp"
 #include "tools/pelt/check/options.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
@@ -125,7 +125,7 @@ std::vector<std::string> models_of(const JsonObject& header) {
 std::string listed(std::vector<std::string> names) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + asset::quoted(name);
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + text::quoted(name);
   return text.empty() ? "nothing" : text;
 }
 
@@ -227,8 +227,8 @@ Result<CheckBaseline> CheckBaseline::read(const std::string& path,
                                           const scenes::Scene& scene) {
   const auto bytes = asset::read_file(path);
   if (!bytes)
-    return asset::prefixed("--baseline",
-                           {bytes.error().code, bytes.error().message + kAnswerOfCheck});
+    return text::prefixed("--baseline",
+                          {bytes.error().code, bytes.error().message + kAnswerOfCheck});
   const auto* text = reinterpret_cast<const char*>(bytes->data());
   return parse(path, {text, bytes->size()}, question, scene);
 }

@@ -1,11 +1,10 @@
 #include "tools/pelt/check/check.hpp"
 
-#include "asset/message.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/check/summary.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/page/viewer_page.hpp"
 #include "tools/pelt/scene/scene_glb.hpp"
 
@@ -88,7 +87,7 @@ Result<void> answer_frames(Stage& stage, const FrameSource& source, bool writes_
   if (!source)
     if (const auto prepared = stage.prepare(); !prepared) return prepared;
   if (const auto answered = answer(); !answered)
-    return asset::prefixed(stage.staged.scene.name, answered.error());
+    return text::prefixed(stage.staged.scene.name, answered.error());
   return {};
 }
 
@@ -112,8 +111,8 @@ Result<void> check_filters_for_page(const CheckSettings& settings, const scenes:
   if (settings.options.html.empty() || scene.takes.empty() || !settings.self.asks_self() ||
       !settings.self.rules.always)
     return {};
-  return output::bad_argument("--html", "cannot be combined with --self-always and all clips ('*')",
-                              "leave out --self-always, or name one clip");
+  return text::bad_argument("--html", "cannot be combined with --self-always and all clips ('*')",
+                            "leave out --self-always, or name one clip");
 }
 
 Result<void> check_outputs(const CheckOptions& options, const scenes::Scene& scene,
@@ -149,7 +148,7 @@ Result<CheckAnswer> answer_scene(const scenes::Scene& scene, const CheckSettings
   const auto answered = answer_frames(*stage, source, jsonl.is_open(), add);
   if (!answered) return answered.error();
   Result<CheckReport> report = record.finish();
-  if (!report) return asset::prefixed(scene.name, report.error());
+  if (!report) return text::prefixed(scene.name, report.error());
   return CheckAnswer{std::move(*stage), std::move(*tally), std::move(*report)};
 }
 
@@ -205,7 +204,7 @@ Result<arguments::ExitCode> run_check(const CheckOptions& options, const Earlier
 
 Result<void> require_comparison(const CheckReport& report, const CheckSettings& settings) {
   if (report.verdict.pairs_compared > 0 || settings.options.allow_empty) return {};
-  return output::bad_argument(
+  return text::bad_argument(
       "INPUT", "nothing was compared, because a single body was not tested against itself",
       "leave out --self no, --method, --clearance and --between, or give another model, or use "
       "--by part if the model has several parts, or accept this with --allow-empty");

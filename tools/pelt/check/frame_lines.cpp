@@ -2,7 +2,7 @@
 
 #include "scenes/names.hpp"
 #include "scenes/takes.hpp"
-#include "tools/pelt/output/json_text.hpp"
+#include "text/json_text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -219,7 +219,7 @@ std::string frame_line(const Stage& stage, const FrameAnswer& answer,
   if (stage.settings.options.budget) line["unknown"] = undecided_json(answer.undecided);
   if (stage.settings.self.asks_self()) line["left_out"] = left_out_json(answer.left_out);
   if (stage.settings.options.inside) line["inside"] = inside_json(stage.staged, answer.inside);
-  return output::json_text(line);
+  return text::json_text(line);
 }
 
 ordered_json left_out_json(const LeftOut& left_out) {

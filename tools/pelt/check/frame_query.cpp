@@ -4,7 +4,7 @@
 #include <pelt/search.hpp>
 #include <pelt/self.hpp>
 
-#include "asset/message.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/check/frame_lines.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
@@ -81,8 +81,8 @@ FrameQuery::FrameQuery(const Stage& stage, std::uint32_t threads)
 
 Result<void> FrameQuery::ask(std::size_t index, FrameAnswer& answer) {
   if (const auto asked = ask_frame(index, answer); !asked)
-    return asset::prefixed(scene::frame_words(stage_.staged.scene, stage_.frames[index]),
-                           asked.error());
+    return text::prefixed(scene::frame_words(stage_.staged.scene, stage_.frames[index]),
+                          asked.error());
   return {};
 }
 

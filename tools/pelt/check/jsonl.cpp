@@ -1,7 +1,7 @@
 #include "tools/pelt/check/jsonl.hpp"
 
+#include "text/format.hpp"
 #include "tools/pelt/check/frame_lines.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -101,7 +101,7 @@ ordered_json between_json(const scene::StagedScene& staged, const BetweenReport&
                        {"earliest", nullptr},
                        {"deviation", deviation_json(staged, report)},
                        {"counters", scene::counters_json(report.work)},
-                       {"hash", output::hex16(report.hash)}};
+                       {"hash", text::hex16(report.hash)}};
   if (!report.found.empty()) json["earliest"] = earliest_json(staged, report.found.front());
   return json;
 }
@@ -203,7 +203,7 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
                        {"counters", scene::counters_json(totals.work)},
                        {"hash", nullptr}};
   if (totals.hash) {
-    last["hash"] = output::hex16(*totals.hash);
+    last["hash"] = text::hex16(*totals.hash);
   } else {
     last["cut_short"] = true;
   }

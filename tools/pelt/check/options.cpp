@@ -1,9 +1,9 @@
 #include "tools/pelt/check/options.hpp"
 
+#include "text/message.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/json_fields.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -279,7 +279,7 @@ void clear_verdict(CheckOptions& options) {
 }
 
 Error Conflict::error() const {
-  return output::bad_argument(option, std::string("cannot be combined with ") + with, remedy);
+  return text::bad_argument(option, std::string("cannot be combined with ") + with, remedy);
 }
 
 const Conflict* conflict_of(std::string_view option, const CheckOptions& given) {

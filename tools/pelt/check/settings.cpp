@@ -1,11 +1,10 @@
 #include "tools/pelt/check/settings.hpp"
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
-#include "scenes/closest_name.hpp"
 #include "scenes/ignored_pairs.hpp"
 #include "scenes/names.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,8 +20,8 @@ namespace {
 
 Result<methods::MethodKind> choose_method(const std::string& name, methods::MethodKinds known) {
   if (const auto method = methods::find_method(known, name)) return *method;
-  return Error{ErrorCode::invalid_argument, "--method: unknown method " + asset::quoted(name) +
-                                                scenes::suggestion(name, methods::names_of(known))};
+  return Error{ErrorCode::invalid_argument, "--method: unknown method " + text::quoted(name) +
+                                                text::suggestion(name, methods::names_of(known))};
 }
 
 bool contains(const arguments::FrameRange& range, std::uint32_t frame) {
@@ -34,11 +33,11 @@ Result<void> check_glb_frame(const CheckSettings& settings) {
   const CheckOptions& options = settings.options;
   if (!options.glb_frame) return {};
   if (options.glb.empty())
-    return output::bad_argument("--glb-frame", "requires --glb", "name the output with --glb FILE");
+    return text::bad_argument("--glb-frame", "requires --glb", "name the output with --glb FILE");
   if (contains(settings.frames, *options.glb_frame)) return {};
-  return output::bad_argument("--glb-frame",
-                              std::to_string(*options.glb_frame) + " is not a checked frame",
-                              "choose a frame of --frames");
+  return text::bad_argument("--glb-frame",
+                            std::to_string(*options.glb_frame) + " is not a checked frame",
+                            "choose a frame of --frames");
 }
 
 /// Returns an error if the option cannot be combined with another one that is given.
@@ -49,14 +48,14 @@ Result<void> check_conflicts(const char* option, const CheckOptions& options) {
 
 Result<void> require_on_demand(const char* option, const CheckSettings& settings) {
   if (settings.method == methods::kOnDemand) return {};
-  return output::bad_argument(option, "requires the method on_demand", "leave out --method");
+  return text::bad_argument(option, "requires the method on_demand", "leave out --method");
 }
 
 Result<void> check_clearance(const CheckSettings& settings) {
   const std::optional<double>& clearance = settings.options.clearance;
   if (!clearance) return {};
   if (!(*clearance >= 0 && *clearance <= 1e12))
-    return output::number_not_allowed("--clearance", *clearance, "give a number from 0 to 1e12");
+    return text::number_not_allowed("--clearance", *clearance, "give a number from 0 to 1e12");
   if (const auto checked = require_on_demand("--clearance", settings); !checked) return checked;
   return check_conflicts("--clearance", settings.options);
 }
@@ -70,8 +69,7 @@ Result<void> check_budget(const CheckSettings& settings) {
 Result<std::optional<std::uint32_t>> choose_substeps(const CheckOptions& options) {
   using Substeps = std::optional<std::uint32_t>;
   if (!options.between && !options.substeps) return Substeps();
-  if (!options.between)
-    return output::bad_argument("--substeps", "requires --between", "give both");
+  if (!options.between) return text::bad_argument("--substeps", "requires --between", "give both");
   if (const auto checked = check_conflicts("--between", options); !checked) return checked.error();
   return Substeps(options.substeps.value_or(1));
 }
@@ -84,15 +82,15 @@ Result<std::optional<SelfContacts>> parse_wanted(const std::string& text) {
   if (text == "yes") return Wanted(SelfContacts::beside);
   if (text == "no") return Wanted(SelfContacts::none);
   if (text == "only") return Wanted(SelfContacts::only);
-  return output::bad_argument("--self", "unknown value " + asset::quoted(text),
-                              "give --self, --self=only or --self=no");
+  return text::bad_argument("--self", "unknown value " + text::quoted(text),
+                            "give --self, --self=only or --self=no");
 }
 
 /// Parses "keep" or "drop".
 Result<std::optional<bool>> parse_drops(const char* option, const std::string& text) {
   if (text.empty()) return std::optional<bool>();
   if (text == "keep" || text == "drop") return std::optional<bool>(text == "drop");
-  return output::bad_argument(option, "unknown value " + asset::quoted(text), "give keep or drop");
+  return text::bad_argument(option, "unknown value " + text::quoted(text), "give keep or drop");
 }
 
 Result<std::optional<double>> parse_always(const std::string& text) {
@@ -103,8 +101,8 @@ Result<std::optional<double>> parse_always(const std::string& text) {
   const auto [read, error] = std::from_chars(text.data(), end, share);
   if (error == std::errc() && read == end && share > 0 && share <= 1)
     return std::optional<double>(share);
-  return output::bad_argument("--self-always", "unknown value " + asset::quoted(text),
-                              "give keep, or a share of the frames such as 0.95, at most 1");
+  return text::bad_argument("--self-always", "unknown value " + text::quoted(text),
+                            "give keep, or a share of the frames such as 0.95, at most 1");
 }
 
 /// Whether any pose of the scene can differ from the default poses of its models.
@@ -175,8 +173,8 @@ Result<scenes::NamePair> parse_name_pair(const std::string& text) {
   const std::size_t comma = text.rfind(',');
   if (comma != std::string::npos && comma > 0 && comma + 1 < text.size())
     return scenes::NamePair{text.substr(0, comma), text.substr(comma + 1)};
-  return output::bad_argument("--ignore", asset::quoted(text) + " is not a pair of names",
-                              "give two parts or joints, as in --ignore cape,spine");
+  return text::bad_argument("--ignore", text::quoted(text) + " is not a pair of names",
+                            "give two parts or joints, as in --ignore cape,spine");
 }
 
 /// Whether all parts are read. Otherwise, rules of a scene may match parts that are left out.
@@ -200,13 +198,13 @@ Result<std::vector<scenes::NamePair>> choose_ignored(const CheckOptions& options
   auto pairs = parse_ignored(options.ignore);
   if (!pairs) return pairs.error();
   if (const auto known = scenes::check_names(characters, *pairs); !known)
-    return asset::prefixed("--ignore", known.error());
+    return text::prefixed("--ignore", known.error());
   if (const auto known = scenes::check_names(characters, scene.ignore);
       !known && is_read_whole(options.scene.models))
-    return asset::prefixed(scene.name + ": ignore", known.error());
+    return text::prefixed(scene.name + ": ignore", known.error());
   pairs->insert(pairs->begin(), scene.ignore.begin(), scene.ignore.end());
   if (pairs->empty() || (!options.first && !options.max_contacts)) return *pairs;
-  return output::bad_argument(
+  return text::bad_argument(
       options.first ? "--first" : "--max-contacts",
       "cannot be combined with ignored pairs, because the first contacts may be ignored ones",
       "leave it out");
@@ -223,10 +221,10 @@ void note_unskinned(const SelfChoice& self, scenes::Scene& scene) {
   std::string list;
   for (std::size_t p = 0; p < names.size(); ++p) {
     if (asset.parts[p].skinned || asset.parts[p].triangle_count == 0) continue;
-    if (count++ < kNamed) list += (list.empty() ? "" : ", ") + asset::printable_name(names[p]);
+    if (count++ < kNamed) list += (list.empty() ? "" : ", ") + text::printable_name(names[p]);
   }
   if (count == 0 || count == names.size()) return;
-  scene.notes.push_back(output::counted(count, "part") + (count == 1 ? " is" : " are") +
+  scene.notes.push_back(text::counted(count, "part") + (count == 1 ? " is" : " are") +
                         " not skinned (" + list + (count > kNamed ? ", ..." : "") +
                         "): --no-unskinned leaves " + (count == 1 ? "it" : "them") + " out");
 }
@@ -244,8 +242,8 @@ Result<std::optional<CheckBaseline>> choose_baseline(const CheckSettings& settin
                                                      const scenes::Scene& scene) {
   if (settings.options.baseline.empty()) return std::optional<CheckBaseline>();
   if (settings.max_contacts)
-    return output::bad_argument("--baseline", "requires all contacts",
-                                "leave out --first and --max-contacts");
+    return text::bad_argument("--baseline", "requires all contacts",
+                              "leave out --first and --max-contacts");
   Result<CheckBaseline> known = read_baseline(settings, scene);
   if (!known) return known.error();
   return std::optional<CheckBaseline>(std::move(*known));
@@ -255,17 +253,17 @@ Result<FailOn> choose_fail_on(const CheckOptions& options) {
   if (options.fail_on.empty()) return options.baseline.empty() ? FailOn::contact : FailOn::grown;
   const auto fail_on = find_fail_on(options.fail_on);
   if (!fail_on)
-    return output::bad_argument("--fail-on", "unknown value " + asset::quoted(options.fail_on),
-                                "give contact, between, grown, new, unknown or never");
+    return text::bad_argument("--fail-on", "unknown value " + text::quoted(options.fail_on),
+                              "give contact, between, grown, new, unknown or never");
   if (*fail_on == FailOn::unknown && !options.budget)
-    return output::bad_argument("--fail-on", "unknown requires a limit of the work",
-                                "give one with --budget WORK");
+    return text::bad_argument("--fail-on", "unknown requires a limit of the work",
+                              "give one with --budget WORK");
   if (*fail_on == FailOn::between && !options.between)
-    return output::bad_argument("--fail-on", "between requires --between", "give both");
+    return text::bad_argument("--fail-on", "between requires --between", "give both");
   const bool needs_baseline = *fail_on == FailOn::grown || *fail_on == FailOn::newly;
   if (needs_baseline && options.baseline.empty())
-    return output::bad_argument("--fail-on", options.fail_on + " requires a baseline",
-                                "give an earlier answer with --baseline FILE");
+    return text::bad_argument("--fail-on", options.fail_on + " requires a baseline",
+                              "give an earlier answer with --baseline FILE");
   return *fail_on;
 }
 

@@ -1,7 +1,7 @@
 #include "tools/pelt/check/stage.hpp"
 
-#include "asset/message.hpp"
 #include "scenes/takes.hpp"
+#include "text/message.hpp"
 
 #include <utility>
 
@@ -26,7 +26,7 @@ Result<Stage> Stage::make(const scenes::Scene& scene, const CheckSettings& setti
 
 Result<void> Stage::prepare() {
   const auto in_scene = [this](const Error& error) {
-    return asset::prefixed(staged.scene.name, error);
+    return text::prefixed(staged.scene.name, error);
   };
   auto pairs = scenes::IgnoredPairs::make(scenes::characters_of(staged.scene), settings.ignore);
   if (!pairs) return in_scene(pairs.error());

@@ -1,10 +1,10 @@
 #include "tools/pelt/check/summary.hpp"
 
-#include "asset/printable.hpp"
 #include "scenes/takes.hpp"
+#include "text/format.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/check/frame_lines.hpp"
 #include "tools/pelt/output/statistics.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include <iomanip>
@@ -39,11 +39,11 @@ void print_rows(const RowList& list, const scenes::Scene& scene, const ListLengt
   for (const TouchTally::Row& row : shown) {
     const double percent =
         100.0 * static_cast<double>(row.contacts) / static_cast<double>(list.contacts);
-    out << std::right << std::setw(12) << output::with_commas(row.contacts) << std::setw(6)
-        << output::fixed(percent, 1) << " %  " << std::left;
+    out << std::right << std::setw(12) << text::with_commas(row.contacts) << std::setw(6)
+        << text::fixed(percent, 1) << " %  " << std::left;
     if (clip_width > 0) out << std::setw(clip_width) << row.clip << "  ";
     out << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  in "
-        << output::counted(row.frames, list.noun) << ", worst " << list.noun << ' '
+        << text::counted(row.frames, list.noun) << ", worst " << list.noun << ' '
         << scenes::frame_in_take(scene, row.worst_frame) << '\n';
   }
   length.print_rest(list.rows.size(), out);
@@ -51,7 +51,7 @@ void print_rows(const RowList& list, const scenes::Scene& scene, const ListLengt
 
 constexpr const char* kRepeated = "";  // label of the lines of a list
 
-std::string seconds_words(double seconds) { return output::fixed(seconds, 4) + " s"; }
+std::string seconds_words(double seconds) { return text::fixed(seconds, 4) + " s"; }
 
 /// "edge 1 of triangle 12 of knight 0"
 std::string feature_words(const scene::StagedScene& staged, std::uint32_t collider,
@@ -77,7 +77,7 @@ void print_steps(const scene::StagedScene& staged, const BetweenReport& report,
     return x.contacts > y.contacts;
   });
   for (const StepBetween& step : length.shown(steps)) {
-    out << std::right << std::setw(12) << output::with_commas(step.contacts) << "  from "
+    out << std::right << std::setw(12) << text::with_commas(step.contacts) << "  from "
         << scene::frame_words(staged.scene, step.from) << ", first at "
         << earliest_words(staged, step) << '\n';
   }
@@ -91,14 +91,14 @@ void print_deviation(const scene::StagedScene& staged, const BetweenReport& repo
     out << "vertices do not deviate from straight lines in the middle of any piece\n";
     return;
   }
-  out << "vertices deviate at most " << output::fixed(report.deviation.distance, 6)
+  out << "vertices deviate at most " << text::fixed(report.deviation.distance, 6)
       << " from straight lines (middle of a piece, from "
       << scene::frame_words(staged.scene, report.deviation.from) << ", "
       << scene::collider_name(staged, staged.colliders[report.deviation.collider]) << ")\n";
   scene::label(out, kRepeated) << "in this step";
   const char* separator = ": ";
   for (const BetweenReport::Fall& fall : report.falls) {
-    out << separator << output::fixed(fall.distance, 6) << " with --substeps " << fall.substeps;
+    out << separator << text::fixed(fall.distance, 6) << " with --substeps " << fall.substeps;
     separator = ", ";
   }
   out << '\n';
@@ -113,12 +113,12 @@ void print_between(const scene::StagedScene& staged, const BetweenReport& report
     return;
   }
   if (report.contacts == 0) {
-    out << "no pair touches between frames only, in " << output::counted(report.steps, "step")
+    out << "no pair touches between frames only, in " << text::counted(report.steps, "step")
         << '\n';
   } else {
-    out << output::counted(report.contacts, "pair")
+    out << text::counted(report.contacts, "pair")
         << (report.contacts == 1 ? " touches in " : " touch in ")
-        << output::counted(report.found.size(), "step") << " at neither end; first at "
+        << text::counted(report.found.size(), "step") << " at neither end; first at "
         << seconds_words(report.found.front().earliest.first.seconds)
         << scene::clip_words(staged.scene, report.found.front().from) << '\n';
     print_steps(staged, report, length, out);
@@ -139,15 +139,15 @@ void print_touching_between(const scenes::Scene& scene, const BetweenReport& rep
 void print_costs_between(const BetweenReport& report, std::ostream& out) {
   if (report.steps == 0) return;
   scene::label(out, "steps") << "median "
-                             << output::fixed(1e3 * output::median(report.step_seconds), 3)
+                             << text::fixed(1e3 * output::median(report.step_seconds), 3)
                              << " ms, mean "
-                             << output::fixed(1e3 * output::mean(report.step_seconds), 3)
+                             << text::fixed(1e3 * output::mean(report.step_seconds), 3)
                              << " ms per step\n";
 }
 
 /// "0.667 s"
 std::string seconds_of(const scenes::Scene& scene, std::uint32_t frame) {
-  return output::fixed(scenes::frame_time(scene, frame), 3) + " s";
+  return text::fixed(scenes::frame_time(scene, frame), 3) + " s";
 }
 
 void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
@@ -158,18 +158,18 @@ void print_contacts(const scenes::Scene& scene, const CheckSettings& settings,
     return;
   }
   if (totals.contacts == 0) {
-    scene::label(out, "contact") << "none in " << output::counted(totals.frames, "frame") << '\n';
+    scene::label(out, "contact") << "none in " << text::counted(totals.frames, "frame") << '\n';
     return;
   }
-  scene::label(out, "contact") << "in " << output::with_commas(totals.frames_in_contact) << " of "
-                               << output::counted(totals.frames, "frame") << ": "
+  scene::label(out, "contact") << "in " << text::with_commas(totals.frames_in_contact) << " of "
+                               << text::counted(totals.frames, "frame") << ": "
                                << scene::frame_runs(scene, report.frames_in_contact,
                                                     settings.frames.stride)
                                << '\n';
   scene::label(out, "worst") << scene::frame_words(scene, report.worst_frame) << " ("
                              << seconds_of(scene, report.worst_frame)
-                             << "): " << output::counted(report.worst_contacts, "contact") << '\n';
-  scene::label(out, "contacts") << output::with_commas(totals.contacts) << " in all"
+                             << "): " << text::counted(report.worst_contacts, "contact") << '\n';
+  scene::label(out, "contacts") << text::with_commas(totals.contacts) << " in all"
                                 << (settings.max_contacts ? ", limited by the options" : "")
                                 << '\n';
 }
@@ -190,11 +190,11 @@ void print_self(const CheckSettings& settings, std::size_t colliders, std::ostre
 /// Prints how many contacts of bodies with themselves the filters have left out.
 void print_left_out(const LeftOut& left_out, const scene::SelfRules& rules, std::ostream& out) {
   if (left_out.total() == 0) return;
-  scene::label(out, "dropped") << output::counted(left_out.total(), "self-contact");
+  scene::label(out, "dropped") << text::counted(left_out.total(), "self-contact");
   const char* separator = ": ";
   const auto print = [&](std::uint64_t count, const std::string& option) {
     if (count == 0) return;
-    out << separator << output::with_commas(count) << " by " << option;
+    out << separator << text::with_commas(count) << " by " << option;
     separator = ", ";
   };
   print(left_out.rings, "--self-rings " + std::to_string(rules.rings));
@@ -209,8 +209,8 @@ void print_left_out(const LeftOut& left_out, const scene::SelfRules& rules, std:
 void print_always(const AlwaysCounts& counts, std::ostream& out) {
   const auto& [contacts, always] = counts;
   if (always == 0 || 3 * always < contacts) return;
-  scene::label(out, "note") << output::with_commas(always) << " of "
-                            << output::counted(contacts, "self-contact")
+  scene::label(out, "note") << text::with_commas(always) << " of "
+                            << text::counted(contacts, "self-contact")
                             << " are in nearly every frame: --self-always " << kSuggestedShare
                             << " drops them\n";
 }
@@ -222,13 +222,13 @@ void print_takes(const scenes::Scene& scene, const std::vector<TakeTotals>& take
   std::erase_if(in_contact, [](const TakeTotals& take) { return take.contacts == 0; });
   std::stable_sort(in_contact.begin(), in_contact.end(),
                    [](const TakeTotals& a, const TakeTotals& b) { return a.worst > b.worst; });
-  scene::label(out, "clips") << output::with_commas(in_contact.size()) << " of "
-                             << output::counted(takes.size(), "checked clip") << " in contact\n";
+  scene::label(out, "clips") << text::with_commas(in_contact.size()) << " of "
+                             << text::counted(takes.size(), "checked clip") << " in contact\n";
   for (const TakeTotals& take : length.shown(in_contact)) {
-    out << std::right << std::setw(12) << output::with_commas(take.worst) << "  "
+    out << std::right << std::setw(12) << text::with_commas(take.worst) << "  "
         << scene::frame_words(scene, take.worst_frame) << ", in contact in "
-        << output::with_commas(take.frames_in_contact) << " of "
-        << output::counted(take.frames, "frame") << '\n';
+        << text::with_commas(take.frames_in_contact) << " of "
+        << text::counted(take.frames, "frame") << '\n';
   }
   length.print_rest(in_contact.size(), out);
 }
@@ -249,7 +249,7 @@ void print_touching(const scenes::Scene& scene, const CheckReport& report, const
 std::string held_words(const scene::StagedScene& staged, const Held& held) {
   return scene::collider_name(staged, staged.colliders[held.inner]) + " is contained in " +
          scene::collider_name(staged, staged.colliders[held.outer]) + " in " +
-         output::counted(held.frames, "frame") + ", first " +
+         text::counted(held.frames, "frame") + ", first " +
          scene::frame_words(staged.scene, held.first_frame);
 }
 
@@ -263,8 +263,8 @@ void print_held(const scene::StagedScene& staged, const char* name, std::span<co
 void print_worse(const scene::StagedScene& staged, std::span<const Worse> worse,
                  const ListLength& length, std::ostream& out) {
   for (const auto& [touch, known] : length.shown(worse)) {
-    out << std::right << std::setw(12) << output::with_commas(touch.worst) << " ("
-        << (known == 0 ? "new" : "was " + output::with_commas(known)) << ")  "
+    out << std::right << std::setw(12) << text::with_commas(touch.worst) << " ("
+        << (known == 0 ? "new" : "was " + text::with_commas(known)) << ")  "
         << scene::frame_words(staged.scene, touch.worst_frame) << "  " << touch_words(staged, touch)
         << '\n';
   }
@@ -276,12 +276,12 @@ void print_gone(const Comparison& comparison, std::ostream& out) {
   const std::size_t touches = comparison.touches.gone.size() + comparison.between.gone.size();
   const std::size_t held = comparison.no_longer_held.size();
   if (touches + held == 0) return;
-  scene::label(out, "gone") << output::with_commas(touches) << " of "
-                            << output::with_commas(comparison.touches.known +
-                                                   comparison.between.known)
+  scene::label(out, "gone") << text::with_commas(touches) << " of "
+                            << text::with_commas(comparison.touches.known +
+                                                 comparison.between.known)
                             << " known touches";
   if (held > 0)
-    out << ", and " << output::with_commas(held)
+    out << ", and " << text::with_commas(held)
         << (held == 1 ? " known contained body" : " known contained bodies");
   // With other settings, touches may be missing for another reason.
   out << (comparison.notes.empty() ? ": write a new baseline\n" : "\n");
@@ -299,17 +299,17 @@ void print_changes(const TouchChanges& changes, const char* where, std::ostream&
   const std::size_t fresh = new_touches(changes), grown = changes.worse.size() - fresh;
   const std::size_t as_known =
       changes.known - changes.gone.size() - changes.left_out.size() - grown;
-  scene::label(out, "baseline") << output::with_commas(fresh) << " new, "
-                                << output::with_commas(grown) << " grown, "
-                                << output::with_commas(as_known) << " as known" << where << '\n';
+  scene::label(out, "baseline") << text::with_commas(fresh) << " new, " << text::with_commas(grown)
+                                << " grown, " << text::with_commas(as_known) << " as known" << where
+                                << '\n';
 }
 
 void print_left_out_touches(const Comparison& comparison, std::ostream& out) {
   const std::size_t count = comparison.touches.left_out.size() + comparison.between.left_out.size();
   if (count == 0) return;
-  scene::label(out, "left out") << output::with_commas(count) << " of "
-                                << output::with_commas(comparison.touches.known +
-                                                       comparison.between.known)
+  scene::label(out, "left out") << text::with_commas(count) << " of "
+                                << text::with_commas(comparison.touches.known +
+                                                     comparison.between.known)
                                 << " known touches, of parts that this check leaves out\n";
 }
 
@@ -317,7 +317,7 @@ void print_left_out_touches(const Comparison& comparison, std::ostream& out) {
 void print_comparison(const scene::StagedScene& staged, const CheckSettings& settings,
                       const Comparison& comparison, const ListLength& length, std::ostream& out) {
   for (const std::string& note : comparison.notes)
-    scene::label(out, "note") << asset::printable(note) << '\n';
+    scene::label(out, "note") << text::printable(note) << '\n';
   const TouchChanges& touches = comparison.touches;
   const std::size_t fresh = new_touches(touches);
   print_changes(touches, "", out);
@@ -336,12 +336,12 @@ void print_comparison(const scene::StagedScene& staged, const CheckSettings& set
 void print_longest(const scenes::Scene& scene, const CheckReport& report, const ListLength& length,
                    std::ostream& out) {
   scene::label(out, "patches")
-      << output::with_commas(report.patches)
+      << text::with_commas(report.patches)
       << " in all\n\nlongest patches, lengths of the intersection in the units of the file\n";
   const std::span<const PatchTally::Row> shown = length.shown(report.longest_patches);
   const int width = width_of(shown), width_b = width_of(shown, &PatchTally::Row::b);
   for (const PatchTally::Row& row : shown) {
-    out << std::right << std::setw(12) << output::fixed(static_cast<double>(row.length), 6) << "  "
+    out << std::right << std::setw(12) << text::fixed(static_cast<double>(row.length), 6) << "  "
         << std::left << std::setw(width) << row.a << "  " << std::setw(width_b) << row.b << "  "
         << scene::frame_words(scene, row.frame) << " (" << seconds_of(scene, row.frame) << ")\n";
   }
@@ -372,7 +372,7 @@ void print_inside(const scene::StagedScene& staged, const InsideTally& inside, s
   if (deepest.depth == 0) return;
   scene::label(out, "deepest") << "a vertex of "
                                << scene::collider_name(staged, staged.colliders[deepest.inner])
-                               << " is " << output::fixed(deepest.depth, 6) << " deep in "
+                               << " is " << text::fixed(deepest.depth, 6) << " deep in "
                                << scene::collider_name(staged, staged.colliders[deepest.outer])
                                << ", " << scene::frame_words(staged.scene, deepest.frame) << '\n';
 }
@@ -384,9 +384,9 @@ void print_unknown(const CheckSettings& settings, const UnknownTotals& unknown, 
     out << "nothing: the budget sufficed for all frames\n";
     return;
   }
-  out << output::counted(unknown.frames.size(), "frame") << ": at most "
-      << output::counted(unknown.most_pairs, "pair") << " within "
-      << output::fixed(unknown.resolution, 3) << '\n';
+  out << text::counted(unknown.frames.size(), "frame") << ": at most "
+      << text::counted(unknown.most_pairs, "pair") << " within "
+      << text::fixed(unknown.resolution, 3) << '\n';
 }
 
 }  // namespace
@@ -394,7 +394,7 @@ void print_unknown(const CheckSettings& settings, const UnknownTotals& unknown, 
 void ListLength::print_rest(std::size_t count, std::ostream& out) const {
   if (count <= most_) return;
   out << std::right << std::setw(12) << "..."
-      << " and " << output::with_commas(count - most_) << " more: --list " << count << '\n';
+      << " and " << text::with_commas(count - most_) << " more: --list " << count << '\n';
 }
 
 void print_summary(const Stage& stage, const CheckReport& report, const TouchTally& tally,
@@ -413,7 +413,7 @@ void print_summary(const Stage& stage, const CheckReport& report, const TouchTal
   print_unknown(settings, report.totals.unknown, out);
   if (!report.totals.takes.empty()) print_takes(staged.scene, report.totals.takes, length, out);
   if (report.totals.ignored > 0)
-    scene::label(out, "ignored") << output::counted(report.totals.ignored, "contact") << '\n';
+    scene::label(out, "ignored") << text::counted(report.totals.ignored, "contact") << '\n';
   print_left_out(report.totals.left_out, settings.self.rules, out);
   if (report.always) print_always(*report.always, out);
   if (report.totals.between) print_between(staged, *report.totals.between, length, out);
@@ -425,9 +425,9 @@ void print_summary(const Stage& stage, const CheckReport& report, const TouchTal
   if (report.inside) print_inside(staged, *report.inside, settings.frames.stride, length, out);
   scene::print_costs(report.frame_seconds, report.totals.work, out);
   if (report.totals.between) print_costs_between(*report.totals.between, out);
-  if (report.totals.hash) scene::label(out, "hash") << output::hex16(*report.totals.hash) << '\n';
+  if (report.totals.hash) scene::label(out, "hash") << text::hex16(*report.totals.hash) << '\n';
   if (report.totals.between)
-    scene::label(out, "hash") << output::hex16(report.totals.between->hash)
+    scene::label(out, "hash") << text::hex16(report.totals.between->hash)
                               << " of contacts between frames\n";
 }
 

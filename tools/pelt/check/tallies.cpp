@@ -1,7 +1,7 @@
 #include "tools/pelt/check/tallies.hpp"
 
-#include "asset/printable.hpp"
 #include "scenes/names.hpp"
+#include "text/printable.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -114,7 +114,7 @@ std::string PatchTally::name(const Place& place) const {
   const scene::Collider& collider = staged_.colliders[place.collider];
   const std::uint32_t character = staged_.scene.instances[collider.instance].character;
   return scene::collider_name(staged_, collider) + " " +
-         asset::printable_name(
+         text::printable_name(
              scenes::joint_name(staged_.scene.characters[character].asset, place.joint));
 }
 

@@ -1,10 +1,10 @@
 #include "tools/pelt/check/touches.hpp"
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "scenes/names.hpp"
 #include "scenes/takes.hpp"
 #include "scenes/triangle_labels.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
 #include <algorithm>
@@ -53,8 +53,8 @@ std::string joint_name(const scene::StagedScene& staged, const TouchPlace& place
 
 /// "Cape Spine"
 std::string words_in_instance(const scene::StagedScene& staged, const TouchPlace& place) {
-  return asset::printable_name(part_name(staged, place.instance, place.part)) + " " +
-         asset::printable_name(joint_name(staged, place));
+  return text::printable_name(part_name(staged, place.instance, place.part)) + " " +
+         text::printable_name(joint_name(staged, place));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Result<TouchPlaces> TouchPlaces::make(const scene::StagedScene& staged) {
   TouchPlaces made;
   for (const scenes::Character& character : staged.scene.characters) {
     Result<scenes::TriangleLabels> labels = scenes::label_triangles(character.asset);
-    if (!labels) return asset::prefixed(character.source, labels.error());
+    if (!labels) return text::prefixed(character.source, labels.error());
     unite_equal_names(scenes::part_names(character.asset), labels->part);
     unite_equal_names(scenes::joint_names(character.asset), labels->joint);
     made.characters_.push_back(number_places(labels->part, labels->joint));
@@ -207,7 +207,7 @@ std::vector<TouchTally::Row> TouchTally::rows(const FrameTouches& touches,
                                               const NameOf& name_of) const {
   const auto name_in = [&](const TouchPlace& place) {
     const std::uint32_t character = staged_.scene.instances[place.instance].character;
-    return asset::printable_name(name_of(character, place.*index));
+    return text::printable_name(name_of(character, place.*index));
   };
   const auto full_name = [&](const TouchPlace& place) {
     return instance_words(staged_, place.instance) + " " + name_in(place);
@@ -216,7 +216,7 @@ std::vector<TouchTally::Row> TouchTally::rows(const FrameTouches& touches,
   const std::vector<scenes::Take>& takes = staged_.scene.takes;
   for (const Touch& touch : touches.sorted()) {
     const bool is_itself = is_of_itself(staged_, touch.a.instance, touch.b.instance);
-    rows.push_back({touch, takes.empty() ? "" : asset::quoted(takes[touch.take].clip),
+    rows.push_back({touch, takes.empty() ? "" : text::quoted(takes[touch.take].clip),
                     full_name(touch.a),
                     is_itself ? kItself + name_in(touch.b) : full_name(touch.b)});
   }
@@ -244,7 +244,7 @@ TouchName touch_name(const scene::StagedScene& staged, const TouchPlace& place) 
 
 std::string instance_words(const scene::StagedScene& staged, std::uint32_t instance) {
   const std::uint32_t character = staged.scene.instances[instance].character;
-  return asset::printable_name(staged.scene.characters[character].name) + " " +
+  return text::printable_name(staged.scene.characters[character].name) + " " +
          std::to_string(instance);
 }
 

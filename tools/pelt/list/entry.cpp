@@ -1,11 +1,11 @@
 #include "tools/pelt/list/entry.hpp"
 
 #include "asset/file_bytes.hpp"
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
+#include "text/format.hpp"
+#include "text/json_text.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/check/json_fields.hpp"
-#include "tools/pelt/output/json_text.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 bool read_hash(const nlohmann::json& value, std::optional<std::uint64_t>& hash) {
   hash.reset();
   if (value.is_null()) return true;
-  return value.is_string() && output::parse_hex16(value.get<std::string>(), hash.emplace());
+  return value.is_string() && text::parse_hex16(value.get<std::string>(), hash.emplace());
 }
 
 /// The contacts of the worst frame, and its number.
@@ -42,14 +42,14 @@ void visit_numbers(Entry& entry, const Visit& visit) {
 std::string entry_line(const SceneEntry& entry) {
   ordered_json line = {
       {"scene", entry.scene}, {"error", check::to_json(entry.error)}, {"lines", entry.lines}};
-  if (entry.error) return output::json_text(line) + '\n';
+  if (entry.error) return text::json_text(line) + '\n';
   visit_numbers(entry, [&](const char* key, std::uint64_t value) { line[key] = value; });
   line["worst"] = nullptr;
   if (entry.worst > 0) line["worst"] = {{"frame", entry.worst_frame}, {"contacts", entry.worst}};
   line["hash"] = nullptr;
-  if (entry.hash) line["hash"] = output::hex16(*entry.hash);
+  if (entry.hash) line["hash"] = text::hex16(*entry.hash);
   line["failed"] = entry.is_failed;
-  return output::json_text(line) + '\n';
+  return text::json_text(line) + '\n';
 }
 
 /// Removes the carriage return of a line that was written on Windows.
@@ -60,8 +60,8 @@ std::string_view without_return(std::string_view line) {
 
 Error at_line(const std::string& path, std::size_t line, const std::string& problem,
               const std::string& remedy) {
-  return output::bad_argument("--scenes: " + path + ": line " + std::to_string(line), problem,
-                              remedy);
+  return text::bad_argument("--scenes: " + path + ": line " + std::to_string(line), problem,
+                            remedy);
 }
 
 constexpr const char* kRemedy = "give a file written by pelt check --scenes --jsonl";
@@ -135,12 +135,12 @@ std::optional<std::vector<std::string>> read_lines_of(const SceneEntry& entry, s
 
 Result<std::vector<std::string>> read_scene_list(const std::string& path) {
   const auto bytes = asset::read_file(path);
-  if (!bytes) return asset::prefixed("--scenes", bytes.error());
+  if (!bytes) return text::prefixed("--scenes", bytes.error());
   const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   std::vector<std::string> scenes;
   std::unordered_map<std::string_view, std::size_t> lines;
   std::size_t number = 0;
-  for (std::string_view line : output::split(text, '\n')) {
+  for (std::string_view line : text::split(text, '\n')) {
     ++number;
     line = without_return(line);
     if (line.empty()) continue;
@@ -149,14 +149,14 @@ Result<std::vector<std::string>> read_scene_list(const std::string& path) {
     const auto [known, is_new] = lines.emplace(line, number);
     if (!is_new)
       return at_line(path, number,
-                     asset::quoted(line) + " is already in line " + std::to_string(known->second),
+                     text::quoted(line) + " is already in line " + std::to_string(known->second),
                      "remove one of the two");
     scenes.emplace_back(line);
     if (scenes.size() > kMostScenes)
       return at_line(path, number, "is beyond the 10 million scenes of a list", "divide the list");
   }
   if (!scenes.empty()) return scenes;
-  return output::bad_argument("--scenes: " + path, "lists no scene", "name one on each line");
+  return text::bad_argument("--scenes: " + path, "lists no scene", "name one on each line");
 }
 
 Result<ListBaseline> ListBaseline::read(const std::string& path) {
@@ -166,7 +166,7 @@ Result<ListBaseline> ListBaseline::read(const std::string& path) {
     return Error{ErrorCode::unreadable_file, place + ": cannot be read: " + kRemedy};
   std::string line;
   if (!read_line(in, line) || !has_format(line))
-    return output::bad_argument(place, "is not an answer for a list of scenes", kRemedy);
+    return text::bad_argument(place, "is not an answer for a list of scenes", kRemedy);
   ListBaseline baseline;
   while (read_line(in, line)) {
     if (is_last(line)) return baseline;
@@ -178,7 +178,7 @@ Result<ListBaseline> ListBaseline::read(const std::string& path) {
     baseline.scenes_.push_back(entry->scene);
     baseline.texts_[entry->scene] = lines->front() + '\n' + lines->back() + '\n';
   }
-  return output::bad_argument(place, "is incomplete or damaged", kRemedy);
+  return text::bad_argument(place, "is incomplete or damaged", kRemedy);
 }
 
 std::string ListBaseline::text_of(const std::string& scene) const {

@@ -2,16 +2,16 @@
 
 #include <pelt/version.hpp>
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "base/hash.hpp"
+#include "text/format.hpp"
+#include "text/json_text.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/check/check.hpp"
 #include "tools/pelt/check/summary.hpp"
-#include "tools/pelt/output/json_text.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -31,23 +31,23 @@ bool is_in_contact(const SceneEntry& entry) { return entry.contacts > 0; }
 bool is_failed(const SceneEntry& entry) { return entry.is_failed; }
 
 std::string first_line(std::size_t scenes) {
-  return output::json_text(ordered_json{
+  return text::json_text(ordered_json{
       {"format", "pelt-check-list"}, {"version", 1}, {"pelt", PELT_VERSION}, {"scenes", scenes}});
 }
 
 /// Names the scene, if the message does not begin with it.
 void print_error(const SceneEntry& entry) {
   const std::string place = entry.error->starts_with(entry.scene) ? "" : entry.scene + ": ";
-  std::cerr << "pelt: error: " << asset::printable(place + *entry.error) << '\n';
+  std::cerr << "pelt: error: " << text::printable(place + *entry.error) << '\n';
 }
 
 void print_row(const SceneEntry& entry, std::ostream& out) {
-  out << std::right << std::setw(12) << output::with_commas(entry.worst) << "  "
-      << asset::printable(entry.scene);
+  out << std::right << std::setw(12) << text::with_commas(entry.worst) << "  "
+      << text::printable(entry.scene);
   if (entry.worst > 0)
     out << ", frame " << entry.worst_frame << ", in contact in "
-        << output::with_commas(entry.frames_in_contact) << " of "
-        << output::counted(entry.frames, "frame");
+        << text::with_commas(entry.frames_in_contact) << " of "
+        << text::counted(entry.frames, "frame");
   out << (entry.is_failed ? ", failed\n" : "\n");
 }
 
@@ -63,8 +63,8 @@ std::vector<SceneEntry> rows_of(std::vector<SceneEntry> entries) {
 /// Checks the combination of options.
 Result<void> check_options(const check::CheckOptions& options) {
   if (!options.scene.inputs.empty())
-    return output::bad_argument("--scenes", "cannot be combined with INPUT",
-                                "add " + options.scene.inputs[0] + " to the list");
+    return text::bad_argument("--scenes", "cannot be combined with INPUT",
+                              "add " + options.scene.inputs[0] + " to the list");
   if (const auto* const conflict = check::conflict_with("--scenes", options))
     return conflict->error();
   return {};
@@ -130,10 +130,9 @@ void warn_of_missing_scenes(const ListPlan& plan) {
   if (!plan.baseline) return;
   const std::vector<std::string> missing = plan.baseline->scenes_missing_in(plan.scenes);
   if (missing.empty()) return;
-  std::cerr << "pelt: warning: --baseline: " << asset::printable(plan.options.baseline) << ": has "
-            << output::counted(missing.size(), "scene") << " that "
-            << asset::printable(plan.options.scenes) << " lacks, first "
-            << asset::quoted(missing[0])
+  std::cerr << "pelt: warning: --baseline: " << text::printable(plan.options.baseline) << ": has "
+            << text::counted(missing.size(), "scene") << " that "
+            << text::printable(plan.options.scenes) << " lacks, first " << text::quoted(missing[0])
             << ": add scenes that were lost or renamed, or write a new baseline\n";
 }
 
@@ -178,21 +177,21 @@ std::string ListTally::totals() const {
                          {"frames_in_contact", frames_in_contact_},
                          {"contacts", contacts_}}},
                        {"hash", nullptr}};
-  if (const auto value = hash()) last["hash"] = output::hex16(*value);
-  return output::json_text(last);
+  if (const auto value = hash()) last["hash"] = text::hex16(*value);
+  return text::json_text(last);
 }
 
 void ListTally::print_summary(std::uint32_t rows, std::ostream& out) const {
   const std::size_t in_contact = count(is_in_contact);
-  scene::label(out, "scenes") << output::with_commas(scenes()) << ": "
-                              << output::with_commas(count(is_failed)) << " failed, "
-                              << output::with_commas(unchecked_) << " could not be checked\n";
+  scene::label(out, "scenes") << text::with_commas(scenes()) << ": "
+                              << text::with_commas(count(is_failed)) << " failed, "
+                              << text::with_commas(unchecked_) << " could not be checked\n";
   scene::label(out, "contact");
   if (in_contact == 0)
-    out << "none in " << output::counted(frames_, "frame") << '\n';
+    out << "none in " << text::counted(frames_, "frame") << '\n';
   else
-    out << "in " << output::counted(in_contact, "scene") << ", in "
-        << output::with_commas(frames_in_contact_) << " of " << output::counted(frames_, "frame")
+    out << "in " << text::counted(in_contact, "scene") << ", in "
+        << text::with_commas(frames_in_contact_) << " of " << text::counted(frames_, "frame")
         << '\n';
   const std::vector<SceneEntry> listed = rows_of(entries_);
   if (!listed.empty()) out << "\nscenes, by the contacts of their worst frames\n";
@@ -200,7 +199,7 @@ void ListTally::print_summary(std::uint32_t rows, std::ostream& out) const {
   for (const SceneEntry& entry : length.shown(listed)) print_row(entry, out);
   length.print_rest(listed.size(), out);
   if (!listed.empty()) out << '\n';
-  if (const auto value = hash()) scene::label(out, "hash") << output::hex16(*value) << '\n';
+  if (const auto value = hash()) scene::label(out, "hash") << text::hex16(*value) << '\n';
 }
 
 arguments::ExitCode ListTally::exit_code() const {

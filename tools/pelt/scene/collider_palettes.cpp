@@ -1,6 +1,6 @@
 #include "tools/pelt/scene/collider_palettes.hpp"
 
-#include "asset/message.hpp"
+#include "text/message.hpp"
 
 namespace pelt::tools::scene {
 namespace {
@@ -33,7 +33,7 @@ PoseInputs InputSelection::select(const Palettes& palettes, const Collider& coll
 }
 
 Error in_instance(std::uint32_t instance, const Error& error) {
-  return asset::prefixed("instances[" + std::to_string(instance) + "]", error);
+  return text::prefixed("instances[" + std::to_string(instance) + "]", error);
 }
 
 PartedInstances::PartedInstances(std::span<const Collider> colliders) {

@@ -3,8 +3,8 @@
 #include <pelt/version.hpp>
 
 #include "scenes/takes.hpp"
-#include "tools/pelt/output/json_text.hpp"
-#include "tools/pelt/output/text.hpp"
+#include "text/format.hpp"
+#include "text/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 ordered_json inputs_json(const scenes::Scene& scene) {
   ordered_json inputs = ordered_json::array();
   for (const scenes::Character& character : scene.characters) {
-    inputs.push_back({{"path", character.source}, {"hash", output::hex16(character.hash)}});
+    inputs.push_back({{"path", character.source}, {"hash", text::hex16(character.hash)}});
   }
   return inputs;
 }
@@ -90,7 +90,7 @@ ordered_json counters_json(const QueryStats& work) {
 }
 
 nlohmann::json as_json_holds(const ordered_json& value) {
-  return nlohmann::json::parse(output::json_text(value));
+  return nlohmann::json::parse(text::json_text(value));
 }
 
 std::string as_json_holds(const std::string& text) {
@@ -98,7 +98,7 @@ std::string as_json_holds(const std::string& text) {
 }
 
 void write_line(const ordered_json& value, std::ostream& out) {
-  out << output::json_text(value) << '\n';
+  out << text::json_text(value) << '\n';
 }
 
 JsonLine::JsonLine(std::ostream& out) : out_(out) { out_ << '{'; }
@@ -106,7 +106,7 @@ JsonLine::JsonLine(std::ostream& out) : out_(out) { out_ << '{'; }
 void JsonLine::members(const ordered_json& object) {
   for (const auto& [name, value] : object.items()) {
     key(name);
-    out_ << output::json_text(value);
+    out_ << text::json_text(value);
   }
 }
 
@@ -117,7 +117,7 @@ void JsonLine::end_list() { close(']'); }
 
 void JsonLine::item(const ordered_json& value) {
   separate();
-  out_ << output::json_text(value);
+  out_ << text::json_text(value);
 }
 
 void JsonLine::end() { out_ << "}\n"; }
@@ -129,7 +129,7 @@ void JsonLine::separate() {
 
 void JsonLine::key(const std::string& name) {
   separate();
-  out_ << output::json_text(name) << ':';
+  out_ << text::json_text(name) << ':';
 }
 
 void JsonLine::open(const char* name, char bracket) {

@@ -1,9 +1,8 @@
 #include "tools/pelt/scene/query_arguments.hpp"
 
-#include "asset/message.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/values.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <utility>
 
@@ -40,8 +39,7 @@ Result<QueryInput> open_query(const QueryArguments& arguments) {
 Result<Granularity> choose_granularity(const std::string& name) {
   if (name == "instance") return Granularity::instance;
   if (name == "part") return Granularity::part;
-  return output::bad_argument("--by", "unknown value " + asset::quoted(name),
-                              "give instance or part");
+  return text::bad_argument("--by", "unknown value " + text::quoted(name), "give instance or part");
 }
 
 }  // namespace pelt::tools::scene

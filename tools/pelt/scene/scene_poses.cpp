@@ -1,6 +1,6 @@
 #include "tools/pelt/scene/scene_poses.hpp"
 
-#include "asset/message.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/output/progress.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
@@ -32,7 +32,7 @@ Result<FrameCosts> run_frames(const scenes::Scene& scene, const arguments::Frame
   output::Progress progress(numbers.size());
   for (const std::uint32_t frame : numbers) {
     const auto in_frame = [&](const Error& error) {
-      return asset::prefixed(frame_words(scene, frame), error);
+      return text::prefixed(frame_words(scene, frame), error);
     };
     sample_palettes(scene, frame, scratch, palettes);
     const Clock::time_point begin = Clock::now();

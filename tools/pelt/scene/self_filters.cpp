@@ -1,7 +1,7 @@
 #include "tools/pelt/scene/self_filters.hpp"
 
-#include "asset/message.hpp"
 #include "scenes/triangle_labels.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
@@ -105,7 +105,7 @@ Result<CharacterFilters> CharacterFilters::make(const scenes::Character& charact
                                                 const SelfRules& rules) {
   CharacterFilters filters(character, colliders, rules);
   if (const auto prepared = filters.prepare(); !prepared)
-    return asset::prefixed(character.source, prepared.error());
+    return text::prefixed(character.source, prepared.error());
   return filters;
 }
 
@@ -130,7 +130,7 @@ Result<SelfFilters> CharacterFilters::build(std::uint32_t instance, const Contac
     near = scenes::near_joints(character_->asset, labels_.joint, at_rest);
   const auto filter = [&](const Collider& collider) -> Result<SelfFilter> {
     Result<SelfFilter> made = filter_of(collider, rules_, near, at_rest, always);
-    if (!made) return asset::prefixed(character_->source, made.error());
+    if (!made) return text::prefixed(character_->source, made.error());
     return made;
   };
   SelfFilters filters;

@@ -1,10 +1,10 @@
 #include "tools/pelt/scene/summary_lines.hpp"
 
-#include "asset/message.hpp"
-#include "asset/printable.hpp"
 #include "scenes/takes.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
+#include "text/printable.hpp"
 #include "tools/pelt/output/statistics.hpp"
-#include "tools/pelt/output/text.hpp"
 
 #include <algorithm>
 #include <iomanip>
@@ -32,7 +32,7 @@ std::string take_list(std::span<const scenes::Take> takes) {
   for (const scenes::Take& take : takes) {
     if (text.size() > kLongestList) break;
     if (!text.empty()) text += ", ";
-    text.append(asset::quoted(take.clip)).append(" ").append(std::to_string(take.first_frame));
+    text.append(text::quoted(take.clip)).append(" ").append(std::to_string(take.first_frame));
     text.append(":").append(std::to_string(take.first_frame + take.frame_count));
   }
   return shortened(text);
@@ -60,21 +60,21 @@ std::ostream& label(std::ostream& out, const char* name) {
 }
 
 void print_scene(const StagedScene& staged, std::ostream& out) {
-  label(out, "scene") << asset::printable(staged.scene.name) << ": "
-                      << output::counted(staged.scene.instances.size(), "instance");
+  label(out, "scene") << text::printable(staged.scene.name) << ": "
+                      << text::counted(staged.scene.instances.size(), "instance");
   const bool parts = !staged.colliders.empty() && staged.colliders[0].part;
-  if (parts) out << ", " << output::counted(staged.colliders.size(), "part");
-  out << ", " << output::with_commas(triangle_count(staged.colliders)) << " triangles\n";
+  if (parts) out << ", " << text::counted(staged.colliders.size(), "part");
+  out << ", " << text::with_commas(triangle_count(staged.colliders)) << " triangles\n";
   if (const auto& takes = staged.scene.takes; !takes.empty())
-    label(out, "clips") << output::with_commas(takes.size())
+    label(out, "clips") << text::with_commas(takes.size())
                         << "; --frames of each: " << take_list(takes) << '\n';
   for (const std::string& note : staged.scene.notes)
-    label(out, "note") << asset::printable(note) << '\n';
+    label(out, "note") << text::printable(note) << '\n';
 }
 
 std::string clip_words(const scenes::Scene& scene, std::uint32_t frame) {
   const scenes::Take* take = scenes::find_take(scene, frame);
-  return take == nullptr ? "" : " of clip " + asset::quoted(take->clip);
+  return take == nullptr ? "" : " of clip " + text::quoted(take->clip);
 }
 
 std::string frame_words(const scenes::Scene& scene, std::uint32_t frame) {
@@ -106,7 +106,7 @@ std::string frame_runs(const scenes::Scene& scene, std::span<const std::uint32_t
     const auto end =
         std::lower_bound(frames.begin(), frames.end(), take.first_frame + take.frame_count);
     const auto count = static_cast<std::size_t>(end - frames.begin());
-    text.append(text.empty() ? "" : ", ").append(asset::quoted(take.clip)).append(" ");
+    text.append(text.empty() ? "" : ", ").append(text::quoted(take.clip)).append(" ");
     text.append(runs_from(take.first_frame, frames.first(count), stride));
     frames = frames.subspan(count);
   }
@@ -115,21 +115,21 @@ std::string frame_runs(const scenes::Scene& scene, std::span<const std::uint32_t
 
 void print_costs(std::span<const double> frame_seconds, const QueryStats& work, std::ostream& out) {
   const std::vector<double> seconds(frame_seconds.begin(), frame_seconds.end());
-  label(out, "time") << "median " << output::fixed(1e3 * output::median(seconds), 3) << " ms, mean "
-                     << output::fixed(1e3 * output::mean(seconds), 3) << " ms per frame\n";
-  label(out, "work") << output::with_commas(work.node_pairs) << " node pairs, "
-                     << output::with_commas(work.refits) << " refits, "
-                     << output::with_commas(work.posed_vertices) << " posed vertices, "
-                     << output::with_commas(work.triangle_pairs) << " triangle pairs";
+  label(out, "time") << "median " << text::fixed(1e3 * output::median(seconds), 3) << " ms, mean "
+                     << text::fixed(1e3 * output::mean(seconds), 3) << " ms per frame\n";
+  label(out, "work") << text::with_commas(work.node_pairs) << " node pairs, "
+                     << text::with_commas(work.refits) << " refits, "
+                     << text::with_commas(work.posed_vertices) << " posed vertices, "
+                     << text::with_commas(work.triangle_pairs) << " triangle pairs";
   if (work.displacements > 0)
-    out << ", " << output::with_commas(work.displacements) << " displacements";
+    out << ", " << text::with_commas(work.displacements) << " displacements";
   out << '\n';
 }
 
 std::string coordinates(const Vec3& v) {
   std::string text;
   for (const float x : {v.x, v.y, v.z}) {
-    const std::string number = output::fixed(static_cast<double>(x), 3);
+    const std::string number = text::fixed(static_cast<double>(x), 3);
     text += std::string(number.size() < 9 ? 9 - number.size() : 1, ' ') + number;
   }
   return text;

@@ -1,7 +1,7 @@
 #include "tools/pelt/scene/surface_names.hpp"
 
-#include "asset/printable.hpp"
 #include "scenes/names.hpp"
+#include "text/printable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,8 +41,8 @@ std::string place_words(const StagedScene& staged, const Collider& collider,
                         const SurfacePoint& point) {
   const NamedPoint named = name_point(staged, collider, point);
   std::string words = collider_name(staged, collider);
-  if (!collider.part) words.append(" ").append(asset::printable_name(named.part));
-  return words + " (" + asset::printable_name(named.joint) + ", triangle " +
+  if (!collider.part) words.append(" ").append(text::printable_name(named.part));
+  return words + " (" + text::printable_name(named.joint) + ", triangle " +
          std::to_string(named.triangle) + ")";
 }
 

@@ -1,10 +1,10 @@
 #include "tools/pelt/shard/answer_text.hpp"
 
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
+#include "text/json_text.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/check/json_fields.hpp"
 #include "tools/pelt/list/entry.hpp"
-#include "tools/pelt/output/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -273,7 +273,7 @@ bool read_pair(Numbers& numbers, const Triangles& a, const Triangles& b,
 }  // namespace
 
 std::string answer_text(const FrameAnswer& answer) {
-  std::string text = output::json_text(json_of(answer)) + '\n';
+  std::string text = text::json_text(json_of(answer)) + '\n';
   text.append(answer.line).append(1, '\n');
   add_contacts(answer.found, text);
   return text + '\n';
@@ -286,7 +286,7 @@ bool read_lines(std::istream& in, AnswerLines& lines) {
 
 Result<FrameAnswer> read_answer(AnswerLines& lines, const Expected& expected) {
   const auto bad = [](const char* what) {
-    return asset::malformed(std::string("bad value of ") + what);
+    return text::malformed(std::string("bad value of ") + what);
   };
   const Result<asset::ParsedJson> parsed = asset::parse_json(lines.values);
   if (!parsed) return parsed.error();

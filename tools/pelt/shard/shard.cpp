@@ -1,12 +1,12 @@
 #include "tools/pelt/shard/shard.hpp"
 
-#include "asset/message.hpp"
+#include "text/format.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/check/frame_query.hpp"
 #include "tools/pelt/list/list.hpp"
 #include "tools/pelt/output/output_file.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 #include "tools/pelt/shard/shard_file.hpp"
@@ -22,7 +22,7 @@ namespace {
 /// the verdict.
 Result<void> check_options(check::CheckOptions options) {
   if (options.shard_file.empty())
-    return output::bad_argument("--shard", "requires a file to write", "name it with -o FILE");
+    return text::bad_argument("--shard", "requires a file to write", "name it with -o FILE");
   if (!options.scenes.empty()) check::clear_verdict(options);
   if (const auto* const conflict = check::conflict_with("--shard", options))
     return conflict->error();
@@ -63,7 +63,7 @@ Result<void> write_shard(const check::CheckOptions& options, scenes::Scene& scen
     return {};
   };
   const auto asked = check::ask_frames(*stage, shard.of(stage->frames.size()), true, add);
-  if (!asked) return asset::prefixed(scene.name, asked.error());
+  if (!asked) return text::prefixed(scene.name, asked.error());
   writer.finish();
   if (const auto closed = file.close(); !closed) return closed;
   scene::print_scene(stage->staged, words);
@@ -78,9 +78,9 @@ void print_shard(const Shard& shard, const check::Indices& indices, const list::
     words << "no scenes\n";
     return;
   }
-  words << "scenes " << output::with_commas(indices.begin + 1) << " to "
-        << output::with_commas(indices.end) << " of the list, "
-        << output::with_commas(tally.unchecked()) << " could not be checked\n";
+  words << "scenes " << text::with_commas(indices.begin + 1) << " to "
+        << text::with_commas(indices.end) << " of the list, "
+        << text::with_commas(tally.unchecked()) << " could not be checked\n";
 }
 
 Result<arguments::ExitCode> run_list_shard(const check::CheckOptions& options, const Shard& shard) {

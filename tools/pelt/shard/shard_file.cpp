@@ -3,13 +3,13 @@
 #include <pelt/version.hpp>
 
 #include "asset/file_bytes.hpp"
-#include "asset/message.hpp"
 #include "asset/parsed_json.hpp"
 #include "base/workers.hpp"
+#include "text/format.hpp"
+#include "text/json_text.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/check/ordered_work.hpp"
 #include "tools/pelt/list/entry.hpp"
-#include "tools/pelt/output/json_text.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/shard/answer_text.hpp"
 
@@ -49,7 +49,7 @@ Result<nlohmann::ordered_json> input_json(const std::string& path) {
   if (!bytes) return bytes.error();
   detail::Fnv1a64 hash;
   hash.add_bytes(*bytes);
-  return nlohmann::ordered_json{{"path", path}, {"hash", output::hex16(hash.value())}};
+  return nlohmann::ordered_json{{"path", path}, {"hash", text::hex16(hash.value())}};
 }
 
 /// Whether the first input is a list with a number of scenes.
@@ -60,7 +60,7 @@ bool has_list(const json& inputs) {
 }
 
 Error not_a_shard() {
-  return asset::malformed("not a file of a shard: give files that pelt check --shard wrote");
+  return text::malformed("not a file of a shard: give files that pelt check --shard wrote");
 }
 
 struct ShardHeader {
@@ -77,15 +77,15 @@ Result<ShardHeader> read_header(const std::string& line) {
   const json& object = **parsed;
   const json version = object.value("version", json()), pelt = object.value("pelt", json());
   if (version != kVersion || pelt != PELT_VERSION)
-    return asset::unsupported("was written by another version of pelt (" + pelt.dump() +
-                              "): write and merge all shards with one version");
+    return text::unsupported("was written by another version of pelt (" + pelt.dump() +
+                             "): write and merge all shards with one version");
   ShardHeader header;
   if (!read_shard(object.value("shard", json()), header.shard) ||
       !check::read_options(object.value("arguments", json()), header.options) ||
       !object.value("inputs", json()).is_array())
-    return asset::malformed("the first line is damaged: write this shard again");
+    return text::malformed("the first line is damaged: write this shard again");
   if (!header.options.scenes.empty() && !has_list(object["inputs"]))
-    return asset::malformed("the first line is damaged: write this shard again");
+    return text::malformed("the first line is damaged: write this shard again");
   header.question = {{"arguments", object["arguments"]}, {"inputs", object["inputs"]}};
   return header;
 }
@@ -96,7 +96,7 @@ void add_line(const std::string& line, detail::Fnv1a64& hash) {
 }
 
 nlohmann::ordered_json last_line(std::size_t lines, const detail::Fnv1a64& hash) {
-  return {{"lines", lines}, {"hash", output::hex16(hash.value())}};
+  return {{"lines", lines}, {"hash", text::hex16(hash.value())}};
 }
 
 Error unreadable(const std::string& path) {
@@ -104,8 +104,8 @@ Error unreadable(const std::string& path) {
 }
 
 Error incomplete(const std::string& path, const Shard& shard, const char* problem) {
-  return asset::malformed(path + ": " + problem + ": write shard " + std::to_string(shard.index) +
-                          "/" + std::to_string(shard.count) + " again");
+  return text::malformed(path + ": " + problem + ": write shard " + std::to_string(shard.index) +
+                         "/" + std::to_string(shard.count) + " again");
 }
 
 /// A file that is complete.
@@ -120,7 +120,7 @@ Result<Opened> open_shard(const std::string& path) {
   if (!in.is_open() || (in.peek(), in.bad())) return unreadable(path);
   if (!read_line(in, line)) line.clear();
   Result<ShardHeader> header = read_header(line);
-  if (!header) return asset::prefixed(path, header.error());
+  if (!header) return text::prefixed(path, header.error());
   detail::Fnv1a64 hash;
   std::size_t lines = 0;
   std::string next;
@@ -129,7 +129,7 @@ Result<Opened> open_shard(const std::string& path) {
     std::swap(line, next);
   }
   const bool is_whole =
-      next.empty() && lines > 0 && line == output::json_text(last_line(lines - 1, hash));
+      next.empty() && lines > 0 && line == text::json_text(last_line(lines - 1, hash));
   if (!is_whole) return incomplete(path, header->shard, "is incomplete or was changed");
   return Opened{path, std::move(*header)};
 }
@@ -162,13 +162,13 @@ std::string difference(const json& a, const json& b) {
 Result<void> compare(const Opened& first, const Opened& other) {
   const Shard &a = first.header.shard, &b = other.header.shard;
   if (a.count != b.count)
-    return asset::malformed(other.path + ": is one of " + std::to_string(b.count) +
-                            " shards, but " + first.path + " is one of " + std::to_string(a.count) +
-                            ": give shards of one check");
+    return text::malformed(other.path + ": is one of " + std::to_string(b.count) + " shards, but " +
+                           first.path + " is one of " + std::to_string(a.count) +
+                           ": give shards of one check");
   if (first.header.question != other.header.question)
-    return asset::malformed(other.path + ": is from another check than " + first.path + " (" +
-                            difference(first.header.question, other.header.question) +
-                            "): give shards of one check");
+    return text::malformed(other.path + ": is from another check than " + first.path + " (" +
+                           difference(first.header.question, other.header.question) +
+                           "): give shards of one check");
   return {};
 }
 
@@ -179,8 +179,8 @@ Result<void> check_indices(std::span<const Opened> shards) {
   for (std::size_t i = 0; i < shards.size(); ++i, ++next) {
     const std::uint32_t index = shards[i].header.shard.index;
     if (i > 0 && index == shards[i - 1].header.shard.index)
-      return asset::malformed(shards[i].path + ": is the same shard as " + shards[i - 1].path +
-                              ": give one of the two");
+      return text::malformed(shards[i].path + ": is the same shard as " + shards[i - 1].path +
+                             ": give one of the two");
     if (index != next) break;
   }
   if (next > count) return {};
@@ -266,8 +266,8 @@ Result<Shard> parse_shard(const std::string& text) {
     shard.index = parse_number(std::string_view(text).substr(0, slash), shard.count);
   }
   if (shard.index > 0) return shard;
-  return output::bad_argument("--shard", asset::quoted(text) + " is not a shard",
-                              "give I/N, the I-th of N shards, from 1/N to N/N");
+  return text::bad_argument("--shard", text::quoted(text) + " is not a shard",
+                            "give I/N, the I-th of N shards, from 1/N to N/N");
 }
 
 Result<json> inputs_of(const arguments::SceneArguments& arguments, const scenes::Scene& scene) {
@@ -278,7 +278,7 @@ Result<json> inputs_of(const arguments::SceneArguments& arguments, const scenes:
     inputs.push_back(std::move(*input));
   }
   for (const scenes::Character& character : scene.characters)
-    inputs.push_back({{"path", character.source}, {"hash", output::hex16(character.hash)}});
+    inputs.push_back({{"path", character.source}, {"hash", text::hex16(character.hash)}});
   return scene::as_json_holds(inputs);
 }
 
@@ -305,7 +305,7 @@ nlohmann::ordered_json header_json(const Shard& shard, const check::CheckOptions
 }
 
 ShardWriter::ShardWriter(std::ostream& out, const nlohmann::ordered_json& header) : out_(out) {
-  write(output::json_text(header) + '\n');
+  write(text::json_text(header) + '\n');
 }
 
 void ShardWriter::add(const check::FrameAnswer& answer) { write(answer_text(answer)); }
@@ -313,7 +313,7 @@ void ShardWriter::add(const check::FrameAnswer& answer) { write(answer_text(answ
 void ShardWriter::add(const list::SceneAnswer& answer) { write(answer.text); }
 
 /// The first line is not counted.
-void ShardWriter::finish() { out_ << output::json_text(last_line(lines_ - 1, hash_)) << '\n'; }
+void ShardWriter::finish() { out_ << text::json_text(last_line(lines_ - 1, hash_)) << '\n'; }
 
 void ShardWriter::write(const std::string& lines) {
   hash_.add_bytes(std::as_bytes(std::span(lines)));
@@ -346,9 +346,9 @@ Result<void> Shards::check_inputs(const scenes::Scene& scene) const {
   std::string name = scene.name;
   for (std::size_t i = 0; i < std::min(inputs->size(), inputs_.size()); ++i)
     if ((*inputs)[i] != inputs_[i]) name = (*inputs)[i].value("path", name);
-  return asset::malformed(name +
-                          ": has changed since the shards were written: write all shards "
-                          "again");
+  return text::malformed(name +
+                         ": has changed since the shards were written: write all shards "
+                         "again");
 }
 
 Result<void> Shards::each_shard(const ReadShard& read) const {

@@ -1,9 +1,9 @@
 /// `pelt check`: which triangles collide, frame by frame.
 
 #include "tools/pelt/check/check.hpp"
+#include "text/message.hpp"
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/list/list.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/shard/shard.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
@@ -66,12 +66,12 @@ what is new or has grown), 2 bad input or arguments, or nothing to test, 3 inter
 
 Result<arguments::ExitCode> check(const check::CheckOptions& options) {
   if (options.scene.inputs.empty() && options.scenes.empty())
-    return output::bad_argument("INPUT", "is required",
-                                "give a scene or models, or a list with --scenes FILE; see pelt "
-                                "check --help");
+    return text::bad_argument("INPUT", "is required",
+                              "give a scene or models, or a list with --scenes FILE; see pelt "
+                              "check --help");
   if (!options.shard.empty()) return shard::run_shard(options);
   if (!options.shard_file.empty())
-    return output::bad_argument("-o", "requires --shard", "name the answer with --jsonl FILE");
+    return text::bad_argument("-o", "requires --shard", "name the answer with --jsonl FILE");
   if (!options.scenes.empty()) return list::run_list(options);
   return check::run_check(options);
 }

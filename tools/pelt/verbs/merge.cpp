@@ -3,7 +3,6 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/check/check.hpp"
 #include "tools/pelt/list/list.hpp"
-#include "tools/pelt/output/text.hpp"
 #include "tools/pelt/shard/shard_file.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 

@@ -1,7 +1,0 @@
-#pragma once
-
-#include "text/printable.hpp"
-
-namespace pelt::asset {
-using namespace text;
-}

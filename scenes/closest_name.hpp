@@ -1,7 +1,0 @@
-#pragma once
-
-#include "text/message.hpp"
-
-namespace pelt::scenes {
-using namespace text;
-}

@@ -1,8 +1,0 @@
-#pragma once
-
-#include "text/format.hpp"
-#include "text/message.hpp"
-
-namespace pelt::tools::output {
-using namespace text;
-}
