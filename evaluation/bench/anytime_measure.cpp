@@ -3,7 +3,7 @@
 #include "tools/pelt/bench/runner.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/statistics.hpp"
-#include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -4,7 +4,7 @@
 
 #include <pelt/pose.hpp>
 
-#include "tools/pelt/scene/posed_instances.hpp"
+#include "tools/pelt/scene/scene_glb.hpp"
 
 #include <memory>
 #include <string_view>

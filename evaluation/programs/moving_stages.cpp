@@ -10,8 +10,8 @@
 #include "motion/moving_tree.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/statistics.hpp"
+#include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/colliders.hpp"
-#include "tools/pelt/scene/palettes.hpp"
 
 #include <pelt/config.hpp>
 

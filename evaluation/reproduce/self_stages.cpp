@@ -8,8 +8,8 @@
 #include "self/self_filter.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/output/statistics.hpp"
+#include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/colliders.hpp"
-#include "tools/pelt/scene/palettes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 /// The expected answer of `pelt check`: all pairs of triangles, by the exact predicate.
 
 #include "tools/pelt/methods/brute_force.hpp"
-#include "tools/pelt/scene/posed_instances.hpp"
+#include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/run_program.hpp"
 
 #include <algorithm>

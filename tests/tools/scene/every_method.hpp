@@ -3,7 +3,7 @@
 /// Queries a scene with every method of the tested program and reads its files once.
 
 #include "tools/pelt/methods/method.hpp"
-#include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "tools/pelt/scene/near_pairs.hpp"
+#include "tools/pelt/scene/scene_poses.hpp"
 
 #include <pelt/distance.hpp>
 

@@ -1,5 +1,3 @@
-#include "tools/pelt/scene/part_mesh.hpp"
-
 #include "tools/pelt/scene/colliders.hpp"
 
 #include <gtest/gtest.h>

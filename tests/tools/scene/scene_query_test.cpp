@@ -1,6 +1,6 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
-#include "tools/pelt/scene/posed_instances.hpp"
+#include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/scene/walkers.hpp"
 
 namespace pelt::tools::scene {

@@ -1,7 +1,7 @@
 #include "tools/pelt/bench/measure.hpp"
 
 #include "tools/pelt/output/statistics.hpp"
-#include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include "tools/pelt/check/ordered_work.hpp"
 #include "tools/pelt/check/stage.hpp"
 #include "tools/pelt/check/step_query.hpp"
-#include "tools/pelt/scene/near_pairs.hpp"
 #include "tools/pelt/scene/scene_poses.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 

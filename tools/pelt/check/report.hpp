@@ -6,7 +6,7 @@
 #include "tools/pelt/check/stage.hpp"
 #include "tools/pelt/check/steps.hpp"
 #include "tools/pelt/check/tallies.hpp"
-#include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 
 #include <optional>
 #include <vector>

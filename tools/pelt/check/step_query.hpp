@@ -8,7 +8,6 @@
 #include "tools/pelt/check/frame_answer.hpp"
 #include "tools/pelt/check/stage.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
-#include "tools/pelt/scene/palettes.hpp"
 
 #include <optional>
 #include <vector>

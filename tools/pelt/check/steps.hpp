@@ -4,7 +4,7 @@
 
 #include "tools/pelt/check/frame_answer.hpp"
 #include "tools/pelt/check/touches.hpp"
-#include "tools/pelt/scene/contact_hash.hpp"
+#include "tools/pelt/scene/frame_contacts.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 /// A picture of one frame of a scene, as a description for POV-Ray.
 
 #include "base/vec3.hpp"
-#include "tools/pelt/scene/posed_instances.hpp"
+#include "tools/pelt/scene/scene_glb.hpp"
 
 #include <array>
 #include <string>

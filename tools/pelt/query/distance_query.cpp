@@ -2,8 +2,8 @@
 
 #include "text/format.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
-#include "tools/pelt/scene/surface_names.hpp"
 
 #include <nlohmann/json.hpp>
 

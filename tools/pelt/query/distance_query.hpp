@@ -6,7 +6,7 @@
 
 #include "tools/pelt/query/frame_query.hpp"
 #include "tools/pelt/query/pair_list.hpp"
-#include "tools/pelt/scene/near_pairs.hpp"
+#include "tools/pelt/scene/scene_poses.hpp"
 
 #include <limits>
 #include <vector>

@@ -4,6 +4,8 @@
 
 #include <pelt/collide.hpp>
 
+#include "base/hash.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +59,27 @@ struct FrameContacts {
     contacts.resize(end);
     std::erase_if(pairs, [](const Pair& pair) { return pair.begin == pair.end; });
   }
+};
+
+/// FNV-1a 64 over little-endian u32 frame, a, b, triangle_a, triangle_b of every contact, in that
+/// order: equal for equal answers, whatever the method, machine or compiler.
+class ContactHash {
+ public:
+  void add(std::uint32_t frame, const FrameContacts& found) {
+    for (const FrameContacts::Pair& pair : found.pairs) {
+      for (const Contact& contact : found.of(pair)) {
+        for (const std::uint32_t value :
+             {frame, pair.a, pair.b, contact.triangle_a, contact.triangle_b}) {
+          hash_.add_u32(value);
+        }
+      }
+    }
+  }
+
+  std::uint64_t value() const { return hash_.value(); }
+
+ private:
+  detail::Fnv1a64 hash_;
 };
 
 }  // namespace pelt::tools::scene

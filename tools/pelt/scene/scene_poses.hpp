@@ -2,9 +2,11 @@
 
 /// Poses of a scene's colliders, and a loop that queries them frame by frame.
 
+#include <pelt/crowd.hpp>
 #include <pelt/pose.hpp>
 #include <pelt/query.hpp>
 
+#include "crowd/broad_phase.hpp"
 #include "tools/pelt/arguments/values.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
@@ -48,5 +50,20 @@ struct FrameCosts {
 /// error, whose message names the frame.
 Result<FrameCosts> run_frames(const scenes::Scene& scene, const arguments::FrameRange& frames,
                               const FrameSteps& steps);
+
+/// Broad phase of queries between two poses: finds the pairs of poses whose boxes are near each
+/// other.
+class NearPairs {
+ public:
+  /// Returns pairs a < b in ascending order, valid until the next call. The result contains every
+  /// pair whose surfaces are at most `distance` apart, and every pair of which one surface contains
+  /// the other. Boxes are computed without posing vertices. Cost: O(n log n) for n poses, plus
+  /// the pairs of boxes that overlap along one axis.
+  std::span<const CrowdPair> find(std::span<Pose> poses, double distance);
+
+ private:
+  detail::Sweep sweep_;
+  std::vector<CrowdPair> pairs_;
+};
 
 }  // namespace pelt::tools::scene

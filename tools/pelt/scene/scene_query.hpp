@@ -10,7 +10,6 @@
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/colliders.hpp"
 #include "tools/pelt/scene/frame_contacts.hpp"
-#include "tools/pelt/scene/palettes.hpp"
 #include "tools/pelt/scene/self_filters.hpp"
 
 #include <memory>

@@ -2,15 +2,35 @@
 
 /// A scene and the colliders made from its instances, with their names.
 
+#include <pelt/distance.hpp>
+
 #include "scenes/scene.hpp"
 #include "tools/pelt/scene/colliders.hpp"
-#include "tools/pelt/scene/scene_names.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace pelt::tools::scene {
+
+class SceneNames {
+ public:
+  /// Copies what it needs. Cost: O(parts and instances).
+  explicit SceneNames(const scenes::Scene& scene);
+
+  const std::string& part(std::uint32_t character, std::uint32_t part) const {
+    return parts_[character][part];
+  }
+
+  /// Number of earlier instances whose model has the same name.
+  std::uint32_t copy(std::uint32_t instance) const { return copies_[instance]; }
+
+ private:
+  std::vector<std::vector<std::string>> parts_;  // [characters][parts]
+  std::vector<std::uint32_t> copies_;            // [instances]
+};
 
 /// Borrows scene and colliders, which must outlive it. Copies share the names.
 struct StagedScene {
@@ -31,5 +51,18 @@ struct StagedScene {
 
 /// Returns "knight 0", or "knight 0 Knight_Helmet" for a part; printable.
 std::string collider_name(const StagedScene& staged, const Collider& collider);
+
+/// Description of a point of a collider's surface.
+struct NamedPoint {
+  std::uint32_t triangle = 0;  ///< its number in the whole model
+  std::string part, joint;
+};
+
+NamedPoint name_point(const StagedScene& staged, const Collider& collider,
+                      const SurfacePoint& point);
+
+/// "knight 0 Knight_Helmet (head, triangle 12)"
+std::string place_words(const StagedScene& staged, const Collider& collider,
+                        const SurfacePoint& point);
 
 }  // namespace pelt::tools::scene

@@ -8,8 +8,8 @@
 #include "tools/pelt/query/distance_query.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 #include "tools/pelt/scene/query_arguments.hpp"
+#include "tools/pelt/scene/staged_scene.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
-#include "tools/pelt/scene/surface_names.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 #include <nlohmann/json.hpp>
