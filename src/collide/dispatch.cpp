@@ -2,7 +2,7 @@
 
 #include "base/dispatch.hpp"
 #include "collide/collide_trees.hpp"
-#include "collide/first_contact.hpp"
+#include "collide/first_contact_search.hpp"
 #include "collide/search.hpp"
 
 namespace pelt::detail {

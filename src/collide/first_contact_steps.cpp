@@ -9,7 +9,7 @@
 /// Items are replaced as in query/pair_descent.hpp, which says why there are three such functions.
 /// This one computes the times of each new item.
 
-#include "collide/first_contact.hpp"
+#include "collide/first_contact_search.hpp"
 
 #include "motion/moving_boxes.hpp"
 #include "motion/moving_filter.hpp"

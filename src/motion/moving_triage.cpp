@@ -5,14 +5,13 @@
 /// between its least and its greatest coefficient in the basis of Bernstein.
 ///
 /// Apart. At all times, one of two things separates the triangles:
-///   The plane of one of them, if all three corners of the other are on one side, with all twelve
-/// coefficients.
-///   The planes that edge i of a, from p, and edge j of b, from q, span. Let n be the cross product
-///   of
-/// the two edges' vectors, and let f, g and h be the heights along n of q over p, of a's third
-/// corner over p, and of b's third corner over q. All of b is above all of a along n if f + min(0,
-/// h) - max(0, g) > 0, and below if f + max(0, h) - min(0, g) < 0. Such a function is bounded by
-/// what the same formula makes of coefficients. Furthermore,
+/// - The plane of one of them, if all three corners of the other are on one side, with all twelve
+///   coefficients.
+/// - The planes that edge i of a, from p, and edge j of b, from q, span.
+/// Let n be the cross product of the two edges' vectors, and let f, g and h be the heights along n
+/// of q over p, of a's third corner over p, and of b's third corner over q. All of b is above all
+/// of a along n if f + min(0, h) - max(0, g) > 0, and below if f + max(0, h) - min(0, g) < 0. Such
+/// a function is bounded by what the same formula makes of coefficients. Furthermore,
 ///   f = -orient3d of the edges,  g = -rise of b's edge over a's plane,  h = rise of a's edge over
 ///   b's plane,
 /// because n times an edge of a is a determinant with two edges of a, whose product is a's normal.

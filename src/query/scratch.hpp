@@ -17,7 +17,7 @@ namespace pelt::detail {
 struct SlotPair {
   std::uint32_t node_a, slots_a, node_b, slots_b;
   bool b_is_parent = false;  // a was replaced by a child; b is still to be replaced
-  float depth = 0;           // depth by which the boxes overlap
+  float depth = 0;           // what the rule visits first (PairDescent)
 };
 
 /// A part of a tree that may contain the closest point, with the distance of its box.

@@ -16,7 +16,7 @@
 
 namespace pelt::detail {
 
-/// Boxes of the triangles of a cluster on a grid (self/grid_boxes.hpp), and the box of all. Lanes
+/// Boxes of the triangles of a cluster on a grid, and the box of all. Lanes
 /// beyond the last triangle repeat its box.
 struct alignas(64) ClusterGridBoxes {
   std::int16_t low[3][kMaxClusterTriangles], high[3][kMaxClusterTriangles];

@@ -161,7 +161,7 @@ Result<void> Palette::set_form(std::span<const float> floats) {
   return {};
 }
 
-/// See `to_matrix` in matrix_forms.hpp.
+/// See `to_matrix`.
 Result<void> Palette::set_form(std::span<const Matrix3x4> matrices) {
   if (matrices.size() != joints_.size())
     return invalid_argument(

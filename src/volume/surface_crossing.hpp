@@ -1,7 +1,7 @@
 #pragma once
 
 /// Intersections of two triangles of one surface in general position
-/// (geometry/perturbed_points.hpp). Triangles that share no point intersect in a segment, whose
+/// (volume/perturbed_points.hpp). Triangles that share no point intersect in a segment, whose
 /// ends are where an edge of one pierces the other. Triangles that share one point may intersect in
 /// a segment from this point. Triangles that share two points do not intersect elsewhere, because
 /// their planes differ.

@@ -24,7 +24,7 @@ inline NumberedTriangle numbered(const TriangleCorners& corners, const Triangle&
 }
 
 /// Returns the winding number of a surface just in front of one of its triangles, at the start of
-/// edge 0, as if its vertices were in general position (geometry/perturbed_points.hpp). Exact.
+/// edge 0, as if its vertices were in general position (volume/perturbed_points.hpp). Exact.
 ///
 /// `place`: of a triangle without repeated vertices.
 /// `nodes`: working memory.

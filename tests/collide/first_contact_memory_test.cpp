@@ -2,7 +2,7 @@
 
 #include <pelt/search.hpp>
 
-#include "collide/first_contact.hpp"
+#include "collide/first_contact_search.hpp"
 #include "collide/moving_search_bodies.hpp"
 #include "support/allocation_count.hpp"
 

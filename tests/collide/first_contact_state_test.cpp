@@ -5,7 +5,7 @@
 
 #include "base/bits.hpp"
 #include "base/hash.hpp"
-#include "collide/first_contact.hpp"
+#include "collide/first_contact_search.hpp"
 #include "collide/moving_search_bodies.hpp"
 #include "support/instruction_sets.hpp"
 

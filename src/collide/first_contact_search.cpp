@@ -1,4 +1,4 @@
-#include "collide/first_contact.hpp"
+#include "collide/first_contact_search.hpp"
 
 #include <pelt/search.hpp>
 
