@@ -17,10 +17,11 @@ TEST_P(EachQueryInMemory, EndsAndAnswersAsBeforeWhenMemoryIsBack) {
   // Crowds append as they go, and this row asks for one ray after the other.
   const bool appends_at_once =
       query.is_list() && !query.traits.has_threads && query.name != "CastAll";
+  const Kind& kind = kinds()[0];  // made by the first call
   const std::ptrdiff_t before = test::live_allocations();
   {
     Random random(12000);
-    Stage stage(random, kinds()[0], 0.1);
+    Stage stage(random, kind, 0.1);
     query.preparation.arrange(stage);
     const auto renew = [&] {
       stage.close(false);

@@ -48,7 +48,8 @@ TEST_P(SceneMemory, EndsWhileASceneIsParsed) {
 
 TEST_P(SceneMemory, EndsWhileReferencedFilesAreListed) {
   const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / "pelt_scene_memory.gltf";
+      std::filesystem::path(testing::TempDir()) /
+      (GetParam() ? "pelt_scene_memory_for_ever.gltf" : "pelt_scene_memory.gltf");
   std::ofstream(path) << R"({"buffers": [{"uri": "a.bin", "extras": [[1, 2], {"b": [3]}]}],
                              "images": [{"uri": "a.png"}, {"uri": "b.png"}]})";
   fail_and_leak_nothing([&] { EXPECT_EQ(asset::referenced_files(path).size(), 3u); });
