@@ -16,6 +16,7 @@
 
 #include "motion/moving_filter.hpp"
 #include "motion/moving_triage.hpp"
+#include "query/slots.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {

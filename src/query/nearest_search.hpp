@@ -8,6 +8,7 @@
 #include "geometry/triangle_distance.hpp"
 #include "pose/open_node.hpp"
 #include "query/slots.hpp"
+#include "query/stack.hpp"
 
 #include <algorithm>
 #include <cfloat>

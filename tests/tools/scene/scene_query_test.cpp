@@ -1,5 +1,6 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
+#include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/scene/walkers.hpp"
 
