@@ -2,6 +2,7 @@
 
 /// Counts contacts by named places of a scene: by parts, and by joints that their triangles follow.
 
+#include "tools/pelt/scene/frame_contacts.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <compare>
