@@ -50,7 +50,8 @@ class CheckExports(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             header_file, shared = pathlib.Path(folder, "body.hpp"), pathlib.Path(folder, "body.so")
             header_file.write_text(header)
-            subprocess.run([COMPILER, "-x", "c++", "-shared", "-fPIC", "-fvisibility-inlines-hidden",
+            subprocess.run([COMPILER, "-x", "c++", "-std=c++20", "-shared", "-fPIC",
+                            "-fvisibility-inlines-hidden",
                             *flags, f"-I{INCLUDE}", "-o", shared, "-"], input=header + library,
                            text=True, check=True)
             run = subprocess.run([sys.executable, "-B", CHECKER, NM, shared, header_file],
