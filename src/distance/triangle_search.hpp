@@ -6,6 +6,7 @@
 #include "distance/triangle_gaps.hpp"
 #include "pose/open_node.hpp"
 #include "query/nearest_search.hpp"
+#include "query/scratch.hpp"
 
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
