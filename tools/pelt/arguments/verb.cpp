@@ -89,7 +89,9 @@ void Verb::option(const char* name, T& value, const std::string& help, const Opt
   if (syntax.type) option->type_name(syntax.type);
   if constexpr (kIsWhole<T>) option->check(whole_number(syntax));
   if constexpr (kIsDecimal<T>) option->check(decimal_number());
-  if (syntax.excludes) option->excludes(verb_.get_option(syntax.excludes));
+  if (syntax.excludes)
+    if (CLI::Option* const other = verb_.get_option_no_throw(syntax.excludes))
+      option->excludes(other);
   if (syntax.group) option->group(syntax.group);
   if (kIsList<T> && option->nonpositional()) option->allow_extra_args(false);
   if (kIsSingle<T> && !syntax.is_required) option->capture_default_str();

@@ -32,7 +32,7 @@ struct OptionSyntax {
   bool is_required = false;
   std::uint32_t least = 0;         ///< of a whole number
   std::uint32_t most = 0;          ///< of a whole number; 0: no limit
-  const char* excludes = nullptr;  ///< an option, added before, that it cannot be combined with
+  const char* excludes = nullptr;  ///< an option, added before, that excludes it, if there is one
   const char* group = nullptr;     ///< a separate heading in the help
 };
 
