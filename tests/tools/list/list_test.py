@@ -210,6 +210,21 @@ class ListTests(unittest.TestCase):
             self.assertIn(f"{option[0]}: cannot be combined with shards of a list",
                           self.refusal("merge", *files, *option))
 
+    def test_options_are_validated_once_before_scenes_are_loaded(self):
+        shard = ["--shard", "1/1", "-o", "x.shard"]
+        for option in (["--fail-on", "typo"], ["--fail-on", "grown"], ["--by", "typo"],
+                       ["--method", "typo"], ["--frames", "typo"], ["--fps", "0"],
+                       ["--self-always", "2"], ["--ignore", "one"], ["--substeps", "2"],
+                       ["--clearance", "-1"], ["--clearance", "1", "--contacts"],
+                       ["--between", "--first"], ["--first", "--ignore", "a,b"],
+                       ["--baseline", "none.jsonl", "--first"]):
+            with self.subTest(option=option):
+                for output in (shard, ["--jsonl", "x.jsonl"]):
+                    error = self.refusal("check", "--scenes", "list.txt", *option, *output)
+                    self.assertTrue(error.startswith(f"pelt: error: {option[0]}: "), error)
+                    self.assertEqual(error.count("\n"), 1, error)
+                    self.assertFalse((self.folder / output[-1]).exists())
+
     def test_outputs_do_not_replace_inputs(self):
         self.write_list(["pair.json", "one.json"])
         files = self.write_shards(1)

@@ -235,10 +235,13 @@ bool asks_for_scene(const SceneArguments& arguments) {
   return arguments.inputs.size() == 1 && is_scene_file(arguments.inputs[0]);
 }
 
+Result<void> check_fps(const std::optional<double>& fps) {
+  if (!fps || (*fps >= scenes::kMinFps && *fps <= scenes::kMaxFps)) return {};
+  return text::number_not_allowed("--fps", *fps, "give a number from 1e-6 to 1e6");
+}
+
 Result<Scene> open_scene(const SceneArguments& arguments) {
-  if (arguments.fps && !(*arguments.fps >= scenes::kMinFps && *arguments.fps <= scenes::kMaxFps)) {
-    return text::number_not_allowed("--fps", *arguments.fps, "give a number from 1e-6 to 1e6");
-  }
+  if (const auto checked = check_fps(arguments.fps); !checked) return checked.error();
   return asks_for_scene(arguments) ? scene_of_file(arguments) : scene_of_models(arguments);
 }
 

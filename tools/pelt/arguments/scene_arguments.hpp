@@ -28,6 +28,9 @@ enum class InputsNeeded { one, none };
 void add_scene_options(Verb& verb, SceneArguments& arguments,
                        InputsNeeded needed = InputsNeeded::one);
 
+/// Refuses an impossible value of --fps, as `open_scene` does.
+Result<void> check_fps(const std::optional<double>& fps);
+
 /// Whether the only input is a scene file.
 bool asks_for_scene(const SceneArguments& arguments);
 

@@ -88,7 +88,7 @@ void note_differences(const nlohmann::json& theirs, const nlohmann::json& ours,
                       std::vector<std::string>& notes) {
   std::vector<std::string> keys = {"clips",  "frames",  "between",      "self",        "fps",
                                    "ignore", "exclude", "no_unskinned", "renormalise", "skinning"};
-  for (std::string& key : keys_of_plain_questions()) keys.push_back(std::move(key));
+  for (std::string& key : stated_keys()) keys.push_back(std::move(key));
   for (const std::string& key : keys) {
     const nlohmann::json& then = value_of(theirs, key);
     const nlohmann::json& now = value_of(ours, key);

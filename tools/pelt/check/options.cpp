@@ -6,6 +6,7 @@
 #include "tools/pelt/check/json_fields.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <type_traits>
 
@@ -18,14 +19,14 @@ using nlohmann::ordered_json;
 enum class Kind {
   list,      ///< which scenes are checked, one by one
   question,  ///< the answers of frames
-  plain,     ///< likewise; stands in the header of the answer as it is, if it is given
-  verdict,   ///< what is made of the answers
+  verdict,   ///< what is made of the answers; has the conflicts of kVerdict
   output,    ///< what is written
   machine,   ///< how the answers are computed; they do not depend on it
   shard,     ///< which share of the answers is computed
 };
 
-bool is_question(Kind kind) { return kind == Kind::question || kind == Kind::plain; }
+/// Whether an option stands in the header of the answer as it is, if it is given.
+enum class Header { by_own_rule, if_given };
 
 template <typename T>
 struct Row {
@@ -34,12 +35,14 @@ struct Row {
   Kind kind;
   const char* help;
   arguments::OptionSyntax syntax;
+  Header header;
 };
 
 template <typename T>
 constexpr Row<T> row(const char* name, T CheckOptions::*value, Kind kind, const char* help,
-                     const arguments::OptionSyntax& syntax = {}) {
-  return {name, value, kind, help, syntax};
+                     const arguments::OptionSyntax& syntax = {},
+                     Header header = Header::by_own_rule) {
+  return {name, value, kind, help, syntax, header};
 }
 
 constexpr const char* kSelfGroup = "Contacts of a character with itself";
@@ -117,10 +120,10 @@ constexpr auto kRows = std::make_tuple(
     row("--clearance", &CheckOptions::clearance, Kind::question,
         "Find all pairs of triangles at most DISTANCE apart, not only those that touch",
         {.type = "DISTANCE"}),
-    row("--budget", &CheckOptions::budget, Kind::plain,
+    row("--budget", &CheckOptions::budget, Kind::question,
         "Limit the work of each pair in each frame, in units of about one test of two "
         "triangles, and report what is not decided",
-        {.type = "WORK", .least = 1}),
+        {.type = "WORK", .least = 1}, Header::if_given),
     row("--between", &CheckOptions::between, Kind::question,
         "Also test each step from one frame to the next, with vertices that move in straight "
         "lines: find triangles that touch between frames and in neither frame, when first, "
@@ -143,16 +146,43 @@ constexpr auto kRows = std::make_tuple(
         {.type = "I/N"}),
     row("-o", &CheckOptions::shard_file, Kind::shard, "The file of the shard", {.type = "FILE"}));
 
+/// An option that cannot be combined with another one, or with what is true beside the options.
+struct Conflict {
+  const char *option, *with, *remedy;
+  const char* problem = nullptr;  ///< instead of "cannot be combined with"
+  const char* unless = nullptr;   ///< an option with which the two can be combined
+};
+
+constexpr const char* kVerdict = "any option of the verdict";
 constexpr const char* kOneOfTwo = "give one of the two";
 constexpr const char* kAlone = "check that scene alone";
 constexpr const char* kToMerge = "give it to pelt merge";
 constexpr const char* kToShards = "give it to each pelt check --shard";
-constexpr const char* kShardsOfList = "shards of a list of scenes";
+constexpr const char* kLeaveOut = "leave it out";
+constexpr const char* kOnDemand = "requires the method on_demand";
+constexpr const char* kNoMethod = "leave out --method";
+constexpr const char* kAllContacts = "requires all contacts";
+constexpr const char* kNoLimit = "leave out --first and --max-contacts";
 
-/// Of several conflicts, the first one is reported.
+/// All are checked. Of several conflicts, the first one is reported. A list is judged scene by
+/// scene, while the scene is loaded, so its shards have the options of the verdict.
 constexpr Conflict kConflicts[] = {
+    {"--jsonl", "--shard", kToMerge},
+    {"--glb", "--shard", kToMerge},
+    {"--glb-frame", "--shard", kToMerge},
+    {"--html", "--shard", kToMerge},
+    {kVerdict, "--shard", kToMerge, nullptr, "--scenes"},
+    {"--html", "--scenes", kAlone},
+    {"--glb", "--scenes", kAlone},
+    {"--glb-frame", "--scenes", kAlone},
+    {kVerdict, kShardsOfList, kToShards},
+    {"--html", kShardsOfList, kAlone},
+    {"--glb", kShardsOfList, kAlone},
+    {"--glb-frame", kShardsOfList, kAlone},
+    {"--clearance", "--method", kNoMethod, kOnDemand},
     {"--clearance", "--contacts", kOneOfTwo},
     {"--clearance", "--inside", kOneOfTwo},
+    {"--budget", "--method", kNoMethod, kOnDemand},
     {"--budget", "--clearance", kOneOfTwo},
     {"--budget", "--inside", kOneOfTwo},
     {"--budget", "--first", kOneOfTwo},
@@ -166,23 +196,21 @@ constexpr Conflict kConflicts[] = {
     {"--self", "--method", kOneOfTwo},
     {"--self", "--clearance", kOneOfTwo},
     {"--self", "--budget", kOneOfTwo},
-    {"--html", "--scenes", kAlone},
-    {"--glb", "--scenes", kAlone},
-    {"--glb-frame", "--scenes", kAlone},
-    {"--jsonl", "--shard", kToMerge},
-    {"--glb", "--shard", kToMerge},
-    {"--glb-frame", "--shard", kToMerge},
-    {"--html", "--shard", kToMerge},
-    {"--baseline", "--shard", kToMerge},
-    {"--fail-on", "--shard", kToMerge},
-    {"--allow-empty", "--shard", kToMerge},
-    {"--baseline", kShardsOfList, kToShards},
-    {"--fail-on", kShardsOfList, kToShards},
-    {"--allow-empty", kShardsOfList, kToShards},
-    {"--html", kShardsOfList, kAlone},
-    {"--glb", kShardsOfList, kAlone},
-    {"--glb-frame", kShardsOfList, kAlone},
+    {"--first", kIgnoredPairs, kLeaveOut},
+    {"--max-contacts", kIgnoredPairs, kLeaveOut},
+    {"--baseline", "--first", kNoLimit, kAllContacts},
+    {"--baseline", "--max-contacts", kNoLimit, kAllContacts},
 };
+
+constexpr bool is_known(std::string_view name) {
+  const auto is_row = [&](const auto&... rows) { return ((name == rows.name) || ...); };
+  return name == kVerdict || name == kShardsOfList || name == kIgnoredPairs ||
+         std::apply(is_row, kRows);
+}
+
+static_assert(std::all_of(std::begin(kConflicts), std::end(kConflicts), [](const Conflict& row) {
+  return is_known(row.option) && is_known(row.with) && (!row.unless || is_known(row.unless));
+}));
 
 template <typename Visit>
 void each_row(const Visit& visit) {
@@ -216,13 +244,30 @@ std::string key_of(std::string_view name) {
   return key;
 }
 
-bool is_given(std::string_view name, const CheckOptions& options) {
+template <typename T>
+bool is_given(const Row<T>& row, const CheckOptions& options) {
   static const CheckOptions kDefaults;
-  bool given = false;
+  return options.*row.value != kDefaults.*row.value;
+}
+
+/// The name of the first option that is given and that `matches`, or null.
+template <typename Matches>
+const char* find_given(const CheckOptions& options, const Matches& matches) {
+  const char* found = nullptr;
   each_row([&](const auto& row) {
-    given = given || (row.name == name && options.*row.value != kDefaults.*row.value);
+    if (found == nullptr && matches(row.name, row.kind) && is_given(row, options)) found = row.name;
   });
-  return given;
+  return found;
+}
+
+/// The option that a side of a conflict names, or null if it is not given. --self no asks for
+/// nothing.
+const char* find_given(std::string_view name, const CheckOptions& options) {
+  if (name == kVerdict)
+    return find_given(options, [](const char*, Kind kind) { return kind == Kind::verdict; });
+  if (name == "--self" && options.self == "no") return nullptr;
+  if (name == kIgnoredPairs) name = "--ignore";
+  return find_given(options, [name](const char* other, Kind) { return name == other; });
 }
 
 /// Calls `visit` with the key and the value of each option that the answers of frames depend on.
@@ -246,7 +291,7 @@ void visit_answer_options(Options& of, const Visit& visit) {
   visit("renormalise", of.scene.models.renormalise);
   visit("skinning", of.scene.models.skinning);
   visit("samples", of.scene.models.samples);
-  visit_rows(is_question);
+  visit_rows([](Kind kind) { return kind == Kind::question; });
   visit_rows([](Kind kind) { return kind == Kind::verdict; });
 }
 
@@ -271,30 +316,21 @@ void copy_outcome(const CheckOptions& from, CheckOptions& to) {
   to.words = from.words;
 }
 
-void clear_verdict(CheckOptions& options) {
-  const CheckOptions defaults;
-  each_row([&](const auto& row) {
-    if (row.kind == Kind::verdict) options.*row.value = defaults.*row.value;
-  });
+Result<void> check_conflicts(const CheckOptions& options, std::string_view also) {
+  const auto find = [&](const char* name) {
+    return name == also ? name : find_given(name, options);
+  };
+  for (const auto& [option, with, remedy, problem, unless] : kConflicts) {
+    const char* const given = find(option);
+    if (given == nullptr || find(with) == nullptr) continue;
+    if (unless != nullptr && find(unless) != nullptr) continue;
+    return text::bad_argument(
+        given, problem ? problem : std::string("cannot be combined with ") + with, remedy);
+  }
+  return {};
 }
 
-Error Conflict::error() const {
-  return text::bad_argument(option, std::string("cannot be combined with ") + with, remedy);
-}
-
-const Conflict* conflict_of(std::string_view option, const CheckOptions& given) {
-  for (const Conflict& conflict : kConflicts)
-    if (conflict.option == option && is_given(conflict.with, given)) return &conflict;
-  return nullptr;
-}
-
-const Conflict* conflict_with(std::string_view with, const CheckOptions& given) {
-  for (const Conflict& conflict : kConflicts)
-    if (conflict.with == with && is_given(conflict.option, given)) return &conflict;
-  return nullptr;
-}
-
-ordered_json options_json(const CheckOptions& options) {
+ordered_json arguments_json(const CheckOptions& options) {
   ordered_json object;
   visit_answer_options(
       options, [&](const std::string& key, const auto& value) { object[key] = to_json(value); });
@@ -310,17 +346,17 @@ bool read_options(const nlohmann::json& object, CheckOptions& options) {
   return is_good && options.scene.inputs.empty() != options.scenes.empty();
 }
 
-void add_plain_questions(const CheckOptions& options, ordered_json& header) {
+void add_stated(const CheckOptions& options, ordered_json& header) {
   each_row([&](const auto& row) {
-    if (row.kind == Kind::plain && is_given(row.name, options))
+    if (row.header == Header::if_given && is_given(row, options))
       header[key_of(row.name)] = to_json(options.*row.value);
   });
 }
 
-std::vector<std::string> keys_of_plain_questions() {
+std::vector<std::string> stated_keys() {
   std::vector<std::string> keys;
   each_row([&](const auto& row) {
-    if (row.kind == Kind::plain) keys.push_back(key_of(row.name));
+    if (row.header == Header::if_given) keys.push_back(key_of(row.name));
   });
   return keys;
 }

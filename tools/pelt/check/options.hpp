@@ -1,8 +1,8 @@
 #pragma once
 
 /// The options of `pelt check`, as rows of one table. From the table come the command lines of
-/// `pelt check` and `pelt merge`, the conflicts between options, the arguments in files of shards,
-/// and the options in the header of an answer that need no rule of their own.
+/// `pelt check` and `pelt merge`, the arguments in files of shards, and the options in the header
+/// of an answer that need no rule of their own. A second table holds the conflicts between options.
 
 #include "tools/pelt/arguments/scene_arguments.hpp"
 #include "tools/pelt/methods/method.hpp"
@@ -63,34 +63,27 @@ void add_outcome_options(arguments::Verb& verb, CheckOptions& options);
 /// and of the machine, and the words of the command line.
 void copy_outcome(const CheckOptions& from, CheckOptions& to);
 
-/// Resets the options of the verdict.
-void clear_verdict(CheckOptions& options);
+/// What conflicts with options although no option says so.
+inline constexpr const char* kShardsOfList = "shards of a list of scenes";
+inline constexpr const char* kIgnoredPairs =
+    "ignored pairs, because the first contacts may be ignored ones";
 
-/// An option that cannot be combined with another one.
-struct Conflict {
-  const char *option, *with, *remedy;
+/// Returns the first conflict between options that are given. `also`: what is true, too, though no
+/// option gives it: one of the two above, or "--self" if bodies are tested against themselves.
+Result<void> check_conflicts(const CheckOptions& options, std::string_view also = {});
 
-  Error error() const;
-};
+/// The options as "arguments" of a file of a shard: those that the answers of frames depend on, and
+/// those of the verdict, which are given only for a list of scenes.
+nlohmann::ordered_json arguments_json(const CheckOptions& options);
 
-/// Returns the first conflict of an option with one that is given, or null.
-const Conflict* conflict_of(std::string_view option, const CheckOptions& given);
-
-/// Returns the first conflict of an option that is given with `with`, or null.
-const Conflict* conflict_with(std::string_view with, const CheckOptions& given);
-
-/// The options that the answers of frames depend on, for files of shards. Those of the verdict are
-/// given only for a list of scenes.
-nlohmann::ordered_json options_json(const CheckOptions& options);
-
-/// Sets the options that `options_json` wrote. Returns false if one is missing or has another type.
+/// Sets the options that `arguments_json` wrote. Returns false if one is missing or has another
+/// type.
 bool read_options(const nlohmann::json& json, CheckOptions& options);
 
-/// Adds the options of the question that are given, and have no rule of their own, to "options" of
-/// the header of an answer.
-void add_plain_questions(const CheckOptions& options, nlohmann::ordered_json& header);
+/// Adds the options that are given, and whose rows say so, to "options" of the header of an answer.
+void add_stated(const CheckOptions& options, nlohmann::ordered_json& header);
 
-/// The keys of the options that `add_plain_questions` adds.
-std::vector<std::string> keys_of_plain_questions();
+/// The keys of all options that `add_stated` may add.
+std::vector<std::string> stated_keys();
 
 }  // namespace pelt::tools::check

@@ -31,47 +31,38 @@ bool contains(const arguments::FrameRange& range, std::uint32_t frame) {
 /// Precondition: `settings` has its frames.
 Result<void> check_glb_frame(const CheckSettings& settings) {
   const CheckOptions& options = settings.options;
-  if (!options.glb_frame) return {};
-  if (options.glb.empty())
-    return text::bad_argument("--glb-frame", "requires --glb", "name the output with --glb FILE");
-  if (contains(settings.frames, *options.glb_frame)) return {};
+  if (!options.glb_frame || contains(settings.frames, *options.glb_frame)) return {};
   return text::bad_argument("--glb-frame",
                             std::to_string(*options.glb_frame) + " is not a checked frame",
                             "choose a frame of --frames");
 }
 
-/// Returns an error if the option cannot be combined with another one that is given.
-Result<void> check_conflicts(const char* option, const CheckOptions& options) {
-  if (const Conflict* const conflict = conflict_of(option, options)) return conflict->error();
+template <typename T>
+Result<void> without_value(const Result<T>& result) {
+  if (!result) return result.error();
   return {};
 }
 
-Result<void> require_on_demand(const char* option, const CheckSettings& settings) {
-  if (settings.method == methods::kOnDemand) return {};
-  return text::bad_argument(option, "requires the method on_demand", "leave out --method");
-}
-
-Result<void> check_clearance(const CheckSettings& settings) {
-  const std::optional<double>& clearance = settings.options.clearance;
-  if (!clearance) return {};
-  if (!(*clearance >= 0 && *clearance <= 1e12))
-    return text::number_not_allowed("--clearance", *clearance, "give a number from 0 to 1e12");
-  if (const auto checked = require_on_demand("--clearance", settings); !checked) return checked;
-  return check_conflicts("--clearance", settings.options);
-}
-
-Result<void> check_budget(const CheckSettings& settings) {
-  if (!settings.options.budget) return {};
-  if (const auto checked = require_on_demand("--budget", settings); !checked) return checked;
-  return check_conflicts("--budget", settings.options);
+Result<void> check_clearance(const std::optional<double>& clearance) {
+  if (!clearance || (*clearance >= 0 && *clearance <= 1e12)) return {};
+  return text::number_not_allowed("--clearance", *clearance, "give a number from 0 to 1e12");
 }
 
 Result<std::optional<std::uint32_t>> choose_substeps(const CheckOptions& options) {
   using Substeps = std::optional<std::uint32_t>;
-  if (!options.between && !options.substeps) return Substeps();
-  if (!options.between) return text::bad_argument("--substeps", "requires --between", "give both");
-  if (const auto checked = check_conflicts("--between", options); !checked) return checked.error();
-  return Substeps(options.substeps.value_or(1));
+  if (options.between) return Substeps(options.substeps.value_or(1));
+  if (!options.substeps) return Substeps();
+  return text::bad_argument("--substeps", "requires --between", "give both");
+}
+
+Result<void> check_frames(const std::string& frames) {
+  if (frames.empty()) return {};
+  return without_value(arguments::parse_frame_range(frames));
+}
+
+Result<void> require_glb(const CheckOptions& options) {
+  if (!options.glb_frame || !options.glb.empty()) return {};
+  return text::bad_argument("--glb-frame", "requires --glb", "name the output with --glb FILE");
 }
 
 using scenes::SelfContacts;
@@ -159,12 +150,12 @@ bool is_one_body(const scenes::Scene& scene, scene::Granularity granularity) {
 Result<SelfChoice> choose_self(const CheckSettings& settings, const scenes::Scene& scene) {
   const Result<scenes::SelfOptions> given = parse_self(settings.options);
   if (!given) return given.error();
-  const Conflict* const conflict = conflict_of("--self", settings.options);
-  const bool by_default = is_one_body(scene, settings.granularity) && conflict == nullptr;
+  const Result<void> possible = check_conflicts(settings.options, "--self");
+  const bool by_default = is_one_body(scene, settings.granularity) && possible;
   const SelfChoice choice =
       with_defaults(scenes::chosen_first(*given, scene.self), scene,
                     by_default ? scenes::SelfContacts::beside : scenes::SelfContacts::none);
-  if (choice.asks_self() && conflict != nullptr) return conflict->error();
+  if (choice.asks_self() && !possible) return possible.error();
   return choice;
 }
 
@@ -203,11 +194,10 @@ Result<std::vector<scenes::NamePair>> choose_ignored(const CheckOptions& options
       !known && is_read_whole(options.scene.models))
     return text::prefixed(scene.name + ": ignore", known.error());
   pairs->insert(pairs->begin(), scene.ignore.begin(), scene.ignore.end());
-  if (pairs->empty() || (!options.first && !options.max_contacts)) return *pairs;
-  return text::bad_argument(
-      options.first ? "--first" : "--max-contacts",
-      "cannot be combined with ignored pairs, because the first contacts may be ignored ones",
-      "leave it out");
+  if (pairs->empty()) return pairs;
+  if (const auto checked = check_conflicts(options, kIgnoredPairs); !checked)
+    return checked.error();
+  return pairs;
 }
 
 /// Props that stick into a character hide the contacts of its skin. Does nothing for a model
@@ -237,13 +227,10 @@ Result<CheckBaseline> read_baseline(const CheckSettings& settings, const scenes:
   return CheckBaseline::parse(path, *text, question, scene);
 }
 
-/// Precondition: `settings` is complete except for `baseline` and `fail_on`.
+/// Precondition: `settings` is complete except for `baseline`.
 Result<std::optional<CheckBaseline>> choose_baseline(const CheckSettings& settings,
                                                      const scenes::Scene& scene) {
   if (settings.options.baseline.empty()) return std::optional<CheckBaseline>();
-  if (settings.max_contacts)
-    return text::bad_argument("--baseline", "requires all contacts",
-                              "leave out --first and --max-contacts");
   Result<CheckBaseline> known = read_baseline(settings, scene);
   if (!known) return known.error();
   return std::optional<CheckBaseline>(std::move(*known));
@@ -288,6 +275,27 @@ class Choices {
   std::optional<Error> refusal_;
 };
 
+/// Validates all options, and chooses what does not depend on the scene.
+Result<CheckSettings> choose_without_scene(const CheckOptions& options) {
+  CheckSettings settings;
+  settings.options = options;
+  settings.max_contacts = options.first ? 1 : options.max_contacts;
+  Choices choices;
+  choices.take(choose_method(options.method, options.known_methods), settings.method);
+  choices.require(check_clearance(options.clearance));
+  choices.require(check_conflicts(options));
+  choices.take(choose_substeps(options), settings.substeps);
+  choices.take(scene::choose_granularity(options.by), settings.granularity);
+  choices.require(without_value(parse_self(options)));
+  choices.require(check_frames(options.frames));
+  choices.require(arguments::check_fps(options.scene.fps));
+  choices.require(without_value(parse_ignored(options.ignore)));
+  choices.require(require_glb(options));
+  choices.take(choose_fail_on(options), settings.fail_on);
+  if (choices.refusal()) return *choices.refusal();
+  return settings;
+}
+
 using nlohmann::ordered_json;
 
 /// Null if bodies are not tested against themselves.
@@ -317,24 +325,21 @@ ordered_json skinning_json(const arguments::ModelArguments& models, const scenes
 
 }  // namespace
 
+Result<void> check_options(const CheckOptions& options) {
+  return without_value(choose_without_scene(options));
+}
+
 Result<CheckSettings> choose_settings(const CheckOptions& options, scenes::Scene& scene) {
-  CheckSettings settings;
-  settings.options = options;
-  settings.max_contacts = options.first ? 1 : options.max_contacts;
+  Result<CheckSettings> settings = choose_without_scene(options);
+  if (!settings) return settings;
   Choices choices;
-  choices.take(choose_method(options.method, options.known_methods), settings.method);
-  choices.require(check_clearance(settings));
-  choices.require(check_budget(settings));
-  choices.take(choose_substeps(options), settings.substeps);
-  choices.take(scene::choose_granularity(options.by), settings.granularity);
-  choices.take(choose_self(settings, scene), settings.self);
-  choices.take(arguments::choose_frames(options.frames, options.scene, scene), settings.frames);
-  choices.take(choose_ignored(options, scene), settings.ignore);
-  choices.require(check_glb_frame(settings));
-  choices.take(choose_fail_on(options), settings.fail_on);
-  choices.take(choose_baseline(settings, scene), settings.baseline);
+  choices.take(choose_self(*settings, scene), settings->self);
+  choices.take(arguments::choose_frames(options.frames, options.scene, scene), settings->frames);
+  choices.take(choose_ignored(options, scene), settings->ignore);
+  choices.require(check_glb_frame(*settings));
+  choices.take(choose_baseline(*settings, scene), settings->baseline);
   if (choices.refusal()) return *choices.refusal();
-  note_unskinned(settings.self, scene);
+  note_unskinned(settings->self, scene);
   return settings;
 }
 
@@ -375,7 +380,7 @@ nlohmann::ordered_json question_json(const CheckSettings& settings, const scenes
   if (options.clearance) header["clearance"] = *options.clearance;
   if (settings.substeps) header["between"] = {{"substeps", *settings.substeps}};
   if (settings.max_contacts) header["max_contacts"] = *settings.max_contacts;
-  add_plain_questions(options, header);
+  add_stated(options, header);
   return header;
 }
 

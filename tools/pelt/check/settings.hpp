@@ -29,7 +29,7 @@ struct SelfChoice {
 };
 
 struct CheckSettings {
-  CheckOptions options;  ///< as given; where a member below has the same subject, that one counts
+  CheckOptions options;  ///< as given; where a member below is chosen from one, use the member
   methods::MethodKind method = methods::kOnDemand;
   scene::Granularity granularity = scene::Granularity::instance;
   std::optional<std::uint32_t> max_contacts;  ///< per pair of colliders and frame
@@ -42,15 +42,20 @@ struct CheckSettings {
   arguments::FrameRange frames;
 };
 
-/// Returns an error for options that conflict with each other or with the scene, before anything is
-/// computed or written. Reads the baseline. Adds notes to `scene` about what is tested.
+/// Returns an error for options that are wrong in themselves or conflict with each other. Call it
+/// before anything is loaded, so that a list does not report the error once for each scene.
+Result<void> check_options(const CheckOptions& options);
+
+/// Returns an error for options that `check_options` refuses or that conflict with the scene,
+/// before anything is computed or written. Reads the baseline. Adds notes to `scene` about what is
+/// tested.
 Result<CheckSettings> choose_settings(const CheckOptions& options, scenes::Scene& scene);
 
 /// Returns a choice as options that leave no default open.
 scenes::SelfOptions without_defaults(const SelfChoice& choice);
 
-/// "options" of the header of `pelt check --jsonl`: everything that the answer depends on, except
-/// for the scene's instances. Settings need no baseline.
+/// "options" of the header of `pelt check --jsonl`: what the answers of frames depend on besides
+/// the scene's instances, and options that are stated if they are given. Ignores the baseline.
 nlohmann::ordered_json question_json(const CheckSettings& settings, const scenes::Scene& scene);
 
 }  // namespace pelt::tools::check

@@ -60,16 +60,6 @@ std::vector<SceneEntry> rows_of(std::vector<SceneEntry> entries) {
   return entries;
 }
 
-/// Checks the combination of options.
-Result<void> check_options(const check::CheckOptions& options) {
-  if (!options.scene.inputs.empty())
-    return text::bad_argument("--scenes", "cannot be combined with INPUT",
-                              "add " + options.scene.inputs[0] + " to the list");
-  if (const auto* const conflict = check::conflict_with("--scenes", options))
-    return conflict->error();
-  return {};
-}
-
 /// Checks an opened scene and writes its lines.
 Result<check::CheckReport> check_opened(const check::CheckOptions& options, scenes::Scene& scene,
                                         std::ostream& lines) {
@@ -105,7 +95,6 @@ Result<void> ask_scene(const ListPlan& plan, const std::string& name, std::uint3
 }  // namespace
 
 Result<ListPlan> ListPlan::make(const check::CheckOptions& options) {
-  if (const auto checked = check_options(options); !checked) return checked.error();
   ListPlan plan;
   plan.options = options;
   plan.outputs = {{"--jsonl", options.jsonl}, {"-o", options.shard_file}};

@@ -26,7 +26,7 @@ struct ListPlan {
   std::optional<ListBaseline> baseline;
   std::vector<output::NamedOutput> outputs;  ///< which must not replace a file of a scene
 
-  /// Validates the options, and reads the list and the baseline.
+  /// Reads the list and the baseline. Precondition: check::check_options accepts the options.
   static Result<ListPlan> make(const check::CheckOptions& options);
 };
 

@@ -18,17 +18,6 @@
 namespace pelt::tools::shard {
 namespace {
 
-/// A list is judged scene by scene, while the scene is loaded, so its shards have the options of
-/// the verdict.
-Result<void> check_options(check::CheckOptions options) {
-  if (options.shard_file.empty())
-    return text::bad_argument("--shard", "requires a file to write", "name it with -o FILE");
-  if (!options.scenes.empty()) check::clear_verdict(options);
-  if (const auto* const conflict = check::conflict_with("--shard", options))
-    return conflict->error();
-  return {};
-}
-
 Result<void> check_output(const check::CheckOptions& options, const scenes::Scene& scene) {
   const std::array outputs = {output::NamedOutput{"-o", options.shard_file}};
   return output::check_outputs(outputs, arguments::files_of_scene(options.scene, scene));
@@ -114,7 +103,8 @@ Result<arguments::ExitCode> run_shard(const check::CheckOptions& options) {
   if (const auto chosen = arguments::choose_simd(options.simd); !chosen) return chosen.error();
   const Result<Shard> shard = parse_shard(options.shard);
   if (!shard) return shard.error();
-  if (const auto checked = check_options(options); !checked) return checked.error();
+  if (options.shard_file.empty())
+    return text::bad_argument("--shard", "requires a file to write", "name it with -o FILE");
   if (!options.scenes.empty()) return run_list_shard(options, *shard);
   Result<scenes::Scene> scene = arguments::open_scene(options.scene);
   if (!scene) return scene.error();

@@ -65,7 +65,7 @@ Error not_a_shard() {
 
 struct ShardHeader {
   Shard shard;
-  check::CheckOptions options;  ///< see check::options_json
+  check::CheckOptions options;  ///< see check::arguments_json
   nlohmann::json question;      ///< the arguments and the hashes of the inputs, to be compared
 };
 
@@ -300,7 +300,7 @@ nlohmann::ordered_json header_json(const Shard& shard, const check::CheckOptions
           {"version", kVersion},
           {"pelt", PELT_VERSION},
           {"shard", {shard.index, shard.count}},
-          {"arguments", check::options_json(options)},
+          {"arguments", check::arguments_json(options)},
           {"inputs", inputs}};
 }
 

@@ -69,6 +69,10 @@ Result<arguments::ExitCode> check(const check::CheckOptions& options) {
     return text::bad_argument("INPUT", "is required",
                               "give a scene or models, or a list with --scenes FILE; see pelt "
                               "check --help");
+  if (!options.scene.inputs.empty() && !options.scenes.empty())
+    return text::bad_argument("--scenes", "cannot be combined with INPUT",
+                              "add " + options.scene.inputs[0] + " to the list");
+  if (const auto checked = check::check_options(options); !checked) return checked.error();
   if (!options.shard.empty()) return shard::run_shard(options);
   if (!options.shard_file.empty())
     return text::bad_argument("-o", "requires --shard", "name the answer with --jsonl FILE");

@@ -35,8 +35,8 @@ struct Arguments {
 /// Merges the shards of a list of scenes.
 Result<arguments::ExitCode> merge_list(const shard::Shards& shards, const Arguments& arguments) {
   const check::CheckOptions& outcome = arguments.outcome;
-  if (const auto* const conflict = check::conflict_with("shards of a list of scenes", outcome))
-    return conflict->error();
+  if (const auto checked = check::check_conflicts(outcome, check::kShardsOfList); !checked)
+    return checked.error();
   std::vector<output::InputFile> inputs;
   for (const std::string& file : arguments.files) inputs.push_back({file, "the shard " + file});
   const std::array outputs = {output::NamedOutput{"--jsonl", outcome.jsonl}};
@@ -53,6 +53,7 @@ Result<arguments::ExitCode> merge(const Arguments& arguments, methods::MethodKin
   check::CheckOptions options = shards->options();
   check::copy_outcome(arguments.outcome, options);
   options.known_methods = known_methods;
+  if (const auto checked = check::check_options(options); !checked) return checked.error();
   const auto replay = [&](const check::Stage& stage, const check::UseAnswer& use) {
     return shards->replay(stage, use);
   };
