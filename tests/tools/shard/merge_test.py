@@ -128,7 +128,8 @@ class MergeTests(unittest.TestCase):
     def test_other_versions_are_named(self):
         files = self.write_shards(["pair.json"], 1)
         text = (self.folder / files[0]).read_text()
-        for old, new in (('"version":2', '"version":1'), ('"pelt":"', '"pelt":"9')):
+        for old, new in (('"version":2', '"version":1'), ('"pelt":"', '"pelt":"9'),
+                         ('"budget":', '"budgets":'), ('"budget":', '"news":0,"budget":')):
             self.assertIn(old, text)
             (self.folder / files[0]).write_text(text.replace(old, new, 1))
             self.assertIn("s1.shard: was written by another version of pelt", self.refusal(*files))

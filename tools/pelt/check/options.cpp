@@ -337,6 +337,13 @@ ordered_json arguments_json(const CheckOptions& options) {
   return object;
 }
 
+bool has_known_options(const nlohmann::json& json) {
+  const ordered_json known = arguments_json({});
+  return json.size() == known.size() &&
+         std::all_of(known.items().begin(), known.items().end(),
+                     [&](const auto& option) { return json.contains(option.key()); });
+}
+
 bool read_options(const nlohmann::json& object, CheckOptions& options) {
   bool is_good = object.is_object();
   visit_answer_options(options, [&](const std::string& key, auto& value) {

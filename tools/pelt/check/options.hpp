@@ -76,6 +76,10 @@ Result<void> check_conflicts(const CheckOptions& options, std::string_view also 
 /// those of the verdict, which are given only for a list of scenes.
 nlohmann::ordered_json arguments_json(const CheckOptions& options);
 
+/// Whether `json` has the keys that `arguments_json` writes, and no others. Otherwise a build with
+/// other options wrote it.
+bool has_known_options(const nlohmann::json& json);
+
 /// Sets the options that `arguments_json` wrote. Returns false if one is missing or has another
 /// type.
 bool read_options(const nlohmann::json& json, CheckOptions& options);

@@ -76,17 +76,17 @@ Result<ShardHeader> read_header(const std::string& line) {
     return not_a_shard();
   const json& object = **parsed;
   const json version = object.value("version", json()), pelt = object.value("pelt", json());
-  if (version != kVersion || pelt != PELT_VERSION)
+  const json arguments = object.value("arguments", json());
+  if (version != kVersion || pelt != PELT_VERSION || !check::has_known_options(arguments))
     return text::unsupported("was written by another version of pelt (" + pelt.dump() +
                              "): write and merge all shards with one version");
   ShardHeader header;
   if (!read_shard(object.value("shard", json()), header.shard) ||
-      !check::read_options(object.value("arguments", json()), header.options) ||
-      !object.value("inputs", json()).is_array())
+      !check::read_options(arguments, header.options) || !object.value("inputs", json()).is_array())
     return text::malformed("the first line is damaged: write this shard again");
   if (!header.options.scenes.empty() && !has_list(object["inputs"]))
     return text::malformed("the first line is damaged: write this shard again");
-  header.question = {{"arguments", object["arguments"]}, {"inputs", object["inputs"]}};
+  header.question = {{"arguments", arguments}, {"inputs", object["inputs"]}};
   return header;
 }
 
