@@ -122,6 +122,16 @@ TEST(KnownBaseline, FindsTouchesByClip) {
             "clips was [\"walk\",\"idle\"] in the baseline and is [\"walk\",\"run\"] now");
 }
 
+TEST(KnownBaseline, NotesOptionsThatAreStatedIfGiven) {
+  nlohmann::ordered_json question = asked();
+  EXPECT_FALSE(question.contains("budget"));
+  question["budget"] = 5;
+  const Result<CheckBaseline> baseline = parse({}, question);
+  ASSERT_TRUE(baseline) << baseline.error().message;
+  ASSERT_EQ(baseline->notes().size(), 1u);
+  EXPECT_EQ(baseline->notes()[0], "budget was null in the baseline and is 5 now");
+}
+
 TEST(KnownBaseline, RefusesTheAnswerToAnotherQuestion) {
   struct Case {
     const char* key;

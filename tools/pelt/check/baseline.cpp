@@ -83,18 +83,20 @@ Result<void> compare_questions(const nlohmann::json& theirs, const nlohmann::jso
   return {};
 }
 
-/// Notes differences that do not prevent a comparison.
+/// Notes differences that do not prevent a comparison. Earlier versions wrote fewer keys; options
+/// that the header states only if given are compared all the same.
 void note_differences(const nlohmann::json& theirs, const nlohmann::json& ours,
                       std::vector<std::string>& notes) {
-  std::vector<std::string> keys = {"clips",  "frames",  "between",      "self",        "fps",
-                                   "ignore", "exclude", "no_unskinned", "renormalise", "skinning"};
-  for (std::string& key : stated_keys()) keys.push_back(std::move(key));
-  for (const std::string& key : keys) {
+  const auto compare = [&](const std::string& key, bool may_lack) {
     const nlohmann::json& then = value_of(theirs, key);
     const nlohmann::json& now = value_of(ours, key);
-    if (then.is_null() || then == now) continue;
+    if ((then.is_null() && may_lack) || then == now) return;
     notes.push_back(key + " was " + then.dump() + " in the baseline and is " + now.dump() + " now");
-  }
+  };
+  for (const char* key : {"clips", "frames", "between", "self", "fps", "ignore", "exclude",
+                          "no_unskinned", "renormalise", "skinning"})
+    compare(key, true);
+  for (const std::string& key : stated_keys()) compare(key, false);
 }
 
 /// Returns the sorted names of the models of all instances.
