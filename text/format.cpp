@@ -1,23 +1,9 @@
 #include "text/format.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 
 namespace pelt::text {
-namespace {
-
-template <typename T>
-bool parse(std::string_view text, T& value) {
-  T parsed;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, parsed);
-  if (error != std::errc() || stop != end) return false;
-  value = parsed;
-  return true;
-}
-
-}  // namespace
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> fields;
@@ -29,11 +15,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-bool parse_whole(std::string_view text, std::uint32_t& value) { return parse(text, value); }
-
-bool parse_number(std::string_view text, double& value) {
-  double parsed;
-  if (!parse(text, parsed) || !std::isfinite(parsed)) return false;
+bool parse_whole(std::string_view text, std::uint32_t& value) {
+  std::uint32_t parsed;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, parsed);
+  if (error != std::errc() || stop != end) return false;
   value = parsed;
   return true;
 }

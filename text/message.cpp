@@ -3,7 +3,6 @@
 #include "text/printable.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <vector>
 
@@ -86,13 +85,6 @@ std::string label(std::string_view kind, std::size_t index, std::string_view nam
 
 Error prefixed(std::string_view place, const Error& error) {
   return {error.code, std::string(place) + ": " + error.message};
-}
-
-Error number_not_allowed(const std::string& argument, double value, const std::string& remedy) {
-  char text[32];
-  const char* const begin = text;
-  const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
-  return bad_argument(argument, '"' + std::string(begin, end) + "\" is not allowed", remedy);
 }
 
 std::optional<std::string_view> closest_name(std::string_view name,

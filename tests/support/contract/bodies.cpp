@@ -272,8 +272,9 @@ Body cracked_soup(Random& random, const Vec3&, std::uint32_t size) {
 Body crumpled(Random& random, const Vec3&, std::uint32_t) {
   const std::pair<std::uint32_t, std::vector<Triangle>> surfaces[] = {
       {4, test::tetrahedron()}, {6, test::octahedron()}, {20, test::torus(5, 4)}};
-  const auto& [vertex_count, triangles] = surfaces[random.index(3)];
-  Shape shape = test::make_pinned(vertex_count, triangles);
+  const auto& surface = surfaces[random.index(3)];
+  const std::uint32_t vertex_count = surface.first;
+  Shape shape = test::make_pinned(vertex_count, surface.second);
   SkinnedModel model = *build_model(shape.view());
   const std::uint32_t points = 2 + random.index(5);
   const auto place = [&] {

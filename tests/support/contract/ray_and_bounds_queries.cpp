@@ -26,7 +26,7 @@ QueryStats cast_rays(Stage& stage, Hits& found) {
   found.resize(2 * count);
   QueryStats work = cast(stage.a.to, stage.rays, std::span(found).first(count));
   for (std::size_t i = 0; i < count; ++i)
-    work += cast(stage.a.to, stage.rays[i], found[count + i], {facing_of(i)});
+    work += cast(stage.a.to, stage.rays[i], found[count + i], facing_of(i));
   return work;
 }
 
@@ -47,7 +47,7 @@ QueryStats cast_any_rays(Stage& stage, std::array<bool, kRays>& found) {
   for (std::size_t i = 0; i < kRays; i += 3)
     for (std::size_t j = i; j < i + 3; ++j)
       work += cast_any(stage.a.to, std::span(stage.rays).subspan(j, 1),
-                       std::span(found).subspan(j, 1), {facing_of(j)});
+                       std::span(found).subspan(j, 1), facing_of(j));
   return work;
 }
 
@@ -55,7 +55,7 @@ QueryStats cast_through(Stage& stage, Hits& found, std::uint32_t) {
   QueryStats work;
   const std::size_t before = found.size();
   for (std::size_t i = 0; i < stage.rays.size(); ++i)
-    work += cast_all(stage.a.to, stage.rays[i], stage.scratch, found, {facing_of(i)});
+    work += cast_all(stage.a.to, stage.rays[i], stage.scratch, found, facing_of(i));
   for (std::size_t i = before; i < found.size(); ++i) found[i] = test::without_location(found[i]);
   return work;
 }
