@@ -126,7 +126,7 @@ class ListQuery final : public Query {
     found_ = {};
     found_.reserve(elements);
   }
-  void forget() override { found_ = {}; }
+  void forget() override { found_ = decltype(found_)(); }
   bool is_list() const override { return true; }
 
   void expect_appended(Stage& stage) override {
