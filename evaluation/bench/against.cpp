@@ -266,7 +266,7 @@ class Comparer {
     return different;
   }
 
-  /// Those that the tables of times show.
+  /// The rows that the tables of times show.
   std::vector<Yardstick> yardsticks_of(const Row& scene) const {
     std::vector<Yardstick> shown;
     for (const Yardstick& yardstick : compared_.yardsticks)

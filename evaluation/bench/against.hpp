@@ -61,7 +61,7 @@ Result<Baseline> read_baseline(const std::string& path, const FiguresFormat& for
 /// 9 of 128 ratios of an unchanged build were marked, and a smaller margin would mark more.
 inline constexpr std::uint32_t kNoisePercent = 15;
 
-/// What is compared of a kind of figures.
+/// Names the values of a kind of figures that are compared.
 struct ComparedFigures {
   const FiguresFormat& format;
   const char* unit;               ///< of a scene: "frame"; its number is the value `unit` + "s"

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What methods of `pelt-lab bench --anytime` know over their work and over time: curves of single
-/// pairs of instances, and means over all pairs in contact. Times are relative to the time of a
-/// complete search of the same pair in the order `contacts`.
+/// The results of methods of `pelt-lab bench --anytime` over their work and over time: curves of
+/// single pairs of instances, and means over all pairs in contact. Times are relative to the time
+/// of a complete search of the same pair in the order `contacts`.
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace pelt::lab {
 
-/// What is known at one moment.
+/// The state of a search at one moment.
 struct AnytimePoint {
   double listed = 0;      ///< share of the contacts that are found
   double undecided = 0;   ///< share of the pairs of triangles that are not decided
@@ -55,7 +55,7 @@ double area_over_work(const AnytimeCurve& curve);
 /// The same over the time from 0 to `end_us`.
 double area_over_time(const AnytimeCurve& curve, double end_us);
 
-/// What a method has found in all cases.
+/// The results of a method in all cases.
 struct AnytimeRecord {
   std::string method, title;
   std::vector<AnytimeCurve> curves;  ///< [cases]
@@ -67,7 +67,7 @@ struct AnytimeRecord {
 /// Shares of the work, or of the time of a complete search.
 inline constexpr std::array kAnytimeRungs = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
 
-/// What is known on average.
+/// The mean state of a search.
 struct AnytimeRung {
   double share = 0;  ///< of the work or of the time
   double time = 0;   ///< relative to a complete search; equal to `share` if that is of the time

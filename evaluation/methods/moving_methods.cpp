@@ -14,7 +14,7 @@ namespace pelt::lab {
 namespace {
 
 /// The library as its users call it.
-class MovingOnDemand final : public MovingMethod {
+class MovingOnDemand : public MovingMethod {
  public:
   void add(const SkinnedModel& model) override {
     from_.emplace_back(model);
@@ -48,7 +48,7 @@ class MovingOnDemand final : public MovingMethod {
 
   QueryStats update_work() const override { return {}; }
 
- private:
+ protected:
   Motion motion(std::uint32_t body) { return {from_[body], to_[body]}; }
 
   std::vector<Pose> from_, to_;
@@ -135,28 +135,8 @@ struct UnitedStep {
   detail::PosedTree from, to;
 };
 
-class MovingUnited final : public MovingMethod {
+class MovingUnited final : public MovingOnDemand {
  public:
-  void add(const SkinnedModel& model) override {
-    from_.emplace_back(model);
-    to_.emplace_back(model);
-  }
-
-  void begin_step() override { std::swap(from_, to_); }
-
-  Result<void> set_morph_weights(std::uint32_t body, std::span<const float> weights) override {
-    return to_[body].set_morph_weights(weights);
-  }
-
-  Result<void> set_palette(std::uint32_t body, std::span<const Matrix4> palette) override {
-    return to_[body].set_palette(palette);
-  }
-
-  QueryStats collide_at_end(std::uint32_t a, std::uint32_t b,
-                            std::vector<Contact>& contacts) override {
-    return pelt::collide(to_[a], to_[b], scratch_, contacts);
-  }
-
   MovingStats collide_moving(std::uint32_t a, std::uint32_t b, std::vector<MovingContact>& contacts,
                              const MovingOptions& options) override {
     const UnitedStep step_a(from_[a], to_[a]), step_b(from_[b], to_[b]);
@@ -171,12 +151,6 @@ class MovingUnited final : public MovingMethod {
   MovingStats first_contact(std::uint32_t, std::uint32_t, std::optional<MovingContact>&) override {
     return {};
   }
-
-  QueryStats update_work() const override { return {}; }
-
- private:
-  std::vector<Pose> from_, to_;
-  Scratch scratch_;
 };
 
 }  // namespace

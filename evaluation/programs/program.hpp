@@ -1,6 +1,6 @@
 #pragma once
 
-/// What programs share that each measure characters of the command line.
+/// Shared code of programs that measure the characters of their command line.
 
 #include "scenes/scene.hpp"
 
