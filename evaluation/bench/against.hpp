@@ -10,7 +10,6 @@
 
 #include "tools/pelt/bench/figures.hpp"
 #include "tools/pelt/bench/machine.hpp"
-#include "tools/pelt/bench/table.hpp"
 
 #include <string_view>
 

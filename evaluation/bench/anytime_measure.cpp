@@ -1,6 +1,6 @@
 #include "evaluation/bench/anytime_measure.hpp"
 
-#include "tools/pelt/bench/runner.hpp"
+#include "tools/pelt/bench/measure.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/frame_contacts.hpp"

@@ -4,7 +4,6 @@
 #include "scenes/takes.hpp"
 #include "text/format.hpp"
 #include "text/message.hpp"
-#include "tools/pelt/bench/runner.hpp"
 
 #include <cstring>
 #include <initializer_list>

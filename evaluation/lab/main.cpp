@@ -3,7 +3,6 @@
 #include "evaluation/bench/bench.hpp"
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/command.hpp"
-#include "tools/pelt/arguments/command_line.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 namespace {

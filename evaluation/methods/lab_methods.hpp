@@ -3,7 +3,6 @@
 /// Methods that are used only for comparison, in addition to the methods of the command.
 
 #include "tools/pelt/methods/command_methods.hpp"
-#include "tools/pelt/methods/self_methods.hpp"
 
 namespace pelt::lab {
 

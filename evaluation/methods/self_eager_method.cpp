@@ -4,6 +4,7 @@
 #include "model/unpack.hpp"
 #include "self/neighbour_pair.hpp"
 #include "skin/skin.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 
 #include <algorithm>
 

@@ -10,7 +10,6 @@
 
 #include "evaluation/peers/compare.hpp"
 #include "tools/pelt/bench/measure.hpp"
-#include "tools/pelt/bench/runner.hpp"
 
 #include <ostream>
 #include <string>

@@ -4,7 +4,7 @@
 #include "evaluation/reproduce/method_title.hpp"
 #include "text/format.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
-#include "tools/pelt/methods/self_methods.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,5 +1,5 @@
 #include "support/call_program.hpp"
-#include "tools/pelt/program.hpp"
+#include "tools/pelt/verbs/commands.hpp"
 #include "tools/run_program.hpp"
 
 namespace pelt::test {
@@ -14,7 +14,7 @@ Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& argumen
   const int count = static_cast<int>(pointers.size());
   pointers.push_back(nullptr);
   Ended run;
-  run.exit_code = tools::arguments::run_command_line(tools::kPelt, count, pointers.data());
+  run.exit_code = tools::arguments::run_command_line(tools::verbs::kPelt, count, pointers.data());
   run.out = called.out();
   run.err = called.err();
   return run;

@@ -1,5 +1,5 @@
-#include "tools/pelt/program.hpp"
+#include "tools/pelt/verbs/commands.hpp"
 
 int main(int argc, char** argv) {
-  return pelt::tools::arguments::run_process(pelt::tools::kPelt, argc, argv);
+  return pelt::tools::arguments::run_process(pelt::tools::verbs::kPelt, argc, argv);
 }

@@ -3,7 +3,6 @@
 #include "tools/pelt/bench/bench_scene.hpp"
 
 #include "tools/pelt/methods/command_methods.hpp"
-#include "tools/pelt/methods/self_methods.hpp"
 #include "tools/scene/walkers.hpp"
 
 #include <sstream>

@@ -3,7 +3,6 @@
 #include "text/format.hpp"
 #include "text/printable.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
-#include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/output/progress.hpp"
 
 #include <algorithm>

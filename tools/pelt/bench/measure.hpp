@@ -1,6 +1,11 @@
 #pragma once
 
-/// Measures methods on one scene for `pelt bench`.
+/// The methods of `pelt bench`, and how they are measured on one scene.
+///
+/// A method is queried pair by pair, or instance by instance against itself, on one thread. The
+/// method on_demand can also be queried as a crowd on any number of threads, which share palettes
+/// and pairs. Times of several threads are wall times, and so are then the times of all methods of
+/// the run.
 ///
 /// Each repetition of a frame first poses and queries the previous frame, untimed, so that the
 /// timed part starts from the state that an animation leaves. The timed part then sets the new
@@ -10,12 +15,92 @@
 /// Methods take turns at every frame, so that changes in the load of the machine affect all alike.
 /// Time in which the system runs other programs is not counted (stopwatch.hpp).
 
-#include "tools/pelt/bench/runner.hpp"
+#include "tools/pelt/arguments/values.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/scene/scene_query.hpp"
 
+#include <functional>
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace pelt::tools::bench {
+
+enum class Question {
+  all,    ///< every contact
+  first,  ///< whether there is a contact
+};
+
+enum class Asked {
+  pairs,  ///< each pair of instances separately
+  crowd,  ///< all pairs at once
+  self,   ///< each instance against itself
+  none,   ///< nothing, see methods::kBoxes
+};
+
+const char* name_of(Question question);
+const char* name_of(Asked asked);
+const char* name_of(Time time);
+
+/// A method, and how it is queried.
+struct BenchMethod {
+  std::string name;
+  std::function<scene::SceneQuery(std::span<const scene::Collider>)> make;
+  Asked asked = Asked::pairs;
+  std::uint32_t threads = 1;
+};
+
+BenchMethod method_of(methods::MethodKind method);
+
+/// One of the methods for a character against itself.
+BenchMethod self_method(methods::MethodKind method);
+
+/// The method on_demand as a crowd.
+BenchMethod crowd_method(std::uint32_t threads);
+
+/// Kind of time of methods that are measured together.
+Time time_of(std::span<const BenchMethod> methods);
+
+/// A scene whose frames are queried. Borrows its members.
+struct Subject {
+  const scenes::Scene& scene;
+  std::span<const scene::Collider> colliders;
+  std::span<const std::uint32_t> frames;
+};
+
+/// The chosen frames, or all if nullopt. Returns an error if the scene has fewer frames.
+Result<std::vector<std::uint32_t>> choose_frames(
+    const scenes::Scene& scene, const std::optional<arguments::FrameRange>& chosen);
+
+/// Returns an error if there is no pair of instances. `alternative` ends its message.
+Result<void> require_two_instances(const scenes::Scene& scene, const std::string& alternative = "");
+
+/// A method with the colliders of a scene.
+class Runner {
+ public:
+  Runner(std::span<const scene::Collider> colliders, const BenchMethod& method)
+      : query_(method.make(colliders)), threads_(method.threads) {}
+
+  std::uint32_t threads() const { return threads_; }
+
+  Result<void> pose(const scene::Palettes& palettes) { return query_.set_palettes(palettes); }
+  bool update_counts() const { return query_.update_counts(); }
+
+  void ask(Question question);
+
+  /// Result of the last frame.
+  const scene::FrameContacts& found() const { return found_; }
+  QueryStats work() const { return query_.work(); }
+
+ private:
+  scene::SceneQuery query_;
+  std::uint32_t threads_;
+  scene::FrameContacts found_;
+};
+
+/// Prefixes an error with its frame.
+Error in_frame(std::uint32_t frame, const Error& error);
 
 /// Answers of a method to one query, with each frame queried once.
 struct Answer {
@@ -99,5 +184,26 @@ struct Skinning {
 
 /// The mean over the frames of the medians of the repetitions.
 Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetitions);
+
+/// What is measured only if instances are queried against themselves.
+struct SelfFigures {
+  /// The filters of the method self, which are those of `build_self_filter` without options: one
+  /// for each model.
+  std::uint64_t filter_bytes = 0;
+  double filter_build_seconds = 0;
+
+  /// Self-collision of all instances while they play the frames in order, with and without a
+  /// tracker per instance: means over the frames of the medians of the plays, in microseconds per
+  /// frame.
+  double self_us = 0;     ///< self_collide
+  double tracked_us = 0;  ///< with SelfTracker
+};
+
+/// Plays the frames once untimed, then `repetitions` times. The two queries take turns at every
+/// frame. A tracker depends on the frames before, so frames are not repeated alone, as `measure`
+/// does.
+///
+/// Returns an error if a tracker gives other contacts.
+Result<SelfFigures> measure_self(const Subject& subject, std::uint32_t repetitions);
 
 }  // namespace pelt::tools::bench

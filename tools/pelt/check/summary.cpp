@@ -3,7 +3,7 @@
 #include "scenes/takes.hpp"
 #include "text/format.hpp"
 #include "text/printable.hpp"
-#include "tools/pelt/check/frame_lines.hpp"
+#include "tools/pelt/check/jsonl.hpp"
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 

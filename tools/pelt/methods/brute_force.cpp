@@ -1,16 +1,24 @@
 #include "tools/pelt/methods/brute_force.hpp"
 
+#include <pelt/math.hpp>
+
 #include "geometry/triangle_pair.hpp"
+#include "self/neighbour_pair.hpp"
 #include "skin/skin.hpp"
+#include "tools/pelt/methods/body_method.hpp"
+#include "tools/pelt/methods/command_methods.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <map>
+#include <memory>
 
 namespace pelt::methods {
 namespace {
 
-struct Box {
-  Vec3 low, high;
-};
+using detail::Palette;
+using detail::SkinnedMesh;
+using SurfaceVertices = std::vector<std::uint32_t>;
 
 struct PosedTriangle {
   detail::TriangleCorners corners;
@@ -51,6 +59,112 @@ std::vector<PosedTriangle> triangles_in(const Box& where, std::span<const Triang
   return found;
 }
 
+/// The bits that vertices of one surface vertex have in common.
+std::vector<std::uint32_t> bits_of(const SkinnedMesh& mesh, std::uint32_t vertex) {
+  std::vector<std::uint32_t> bits;
+  const auto add = [&](const Vec3& v) {
+    for (const float c : {v.x, v.y, v.z}) bits.push_back(std::bit_cast<std::uint32_t>(c));
+  };
+  const Vec3& p = mesh.rest_positions[vertex];
+  add({p.x + 0.0F, p.y + 0.0F, p.z + 0.0F});  // turns -0.0 into 0.0
+  for (const detail::Displacement& displacement : mesh.displacements_of(vertex)) {
+    bits.push_back(displacement.target);
+    add(displacement.by);
+  }
+  return bits;
+}
+
+/// Sweeps a plane along y. `active_` has the triangles that reach the plane.
+class Sweep {
+ public:
+  Sweep(std::span<const Triangle> triangles, std::span<const Vec3> positions,
+        const SurfaceVertices& surface) {
+    for (const Triangle& t : triangles) {
+      triangles_.push_back({{positions[t[0]], positions[t[1]], positions[t[2]]},
+                            {surface[t[0]], surface[t[1]], surface[t[2]]}});
+      boxes_.push_back(box_of(triangles_.back().corners));
+      order_.push_back(static_cast<std::uint32_t>(order_.size()));
+    }
+    std::sort(order_.begin(), order_.end(), [this](std::uint32_t s, std::uint32_t t) {
+      return boxes_[s].low.y < boxes_[t].low.y;
+    });
+  }
+
+  /// Appends the contacts, in no particular order.
+  QueryStats run(std::vector<Contact>& contacts, std::uint32_t max_contacts) {
+    const std::size_t most = contacts.size() + max_contacts;
+    for (const std::uint32_t s : order_) {
+      std::erase_if(active_, [&](std::uint32_t t) { return boxes_[t].high.y < boxes_[s].low.y; });
+      for (const std::uint32_t t : active_) {
+        if (!boxes_meet(boxes_[s], boxes_[t])) continue;
+        ++work_.triangle_pairs;
+        if (!surface_triangles_intersect(triangles_[s], triangles_[t])) continue;
+        work_.cut_short = contacts.size() == most;
+        if (work_.cut_short) return work_;
+        contacts.push_back({std::min(s, t), std::max(s, t)});
+      }
+      active_.push_back(s);
+    }
+    return work_;
+  }
+
+ private:
+  std::vector<detail::SurfaceTriangle> triangles_;
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> order_, active_;
+  QueryStats work_;
+};
+
+struct Nothing {};
+
+/// What both oracles have in common.
+struct SkinnedTraits {
+  using Scratch = Nothing;
+  static constexpr bool kUpdateCounts = true;
+  static constexpr bool kMorphs = true;
+
+  static QueryStats update(BruteForceBody& body, const Palette& palette) {
+    return body.update(palette);
+  }
+};
+
+struct BruteTraits : SkinnedTraits {
+  using Prepared = Nothing;
+  using Body = BruteForceBody;
+
+  static Nothing prepare(const SkinnedMesh&) { return {}; }
+  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const Nothing&) {
+    return std::make_unique<Body>(mesh);
+  }
+  static QueryStats collide(Body& a, const Palette&, Body& b, const Palette&, Nothing&,
+                            std::vector<Contact>& contacts, std::uint32_t max_contacts) {
+    return brute_force_collide(a.triangles(), a.positions(), b.triangles(), b.positions(), contacts,
+                               max_contacts);
+  }
+};
+
+/// A mesh posed by brute force, with its surface vertices.
+struct SurfaceBody : BruteForceBody {
+  SurfaceBody(const SkinnedMesh& mesh, const SurfaceVertices& s)
+      : BruteForceBody(mesh), surface(s) {}
+
+  const SurfaceVertices& surface;
+};
+
+struct SelfBruteTraits : SkinnedTraits {
+  using Prepared = SurfaceVertices;
+  using Body = SurfaceBody;
+
+  static SurfaceVertices prepare(const SkinnedMesh& mesh) { return surface_vertices(mesh); }
+  static std::unique_ptr<Body> make_body(const SkinnedMesh& mesh, const SurfaceVertices& surface) {
+    return std::make_unique<Body>(mesh, surface);
+  }
+  static QueryStats collide(Body& body, const Palette&, Body&, const Palette&, Nothing&,
+                            std::vector<Contact>& contacts, std::uint32_t max_contacts) {
+    return Sweep(body.triangles(), body.positions(), body.surface).run(contacts, max_contacts);
+  }
+};
+
 }  // namespace
 
 BruteForceBody::BruteForceBody(const detail::SkinnedMesh& mesh)
@@ -85,6 +199,20 @@ QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
       ++found;
     }
   return stats;
+}
+
+std::unique_ptr<Method> make_brute() { return std::make_unique<BodyMethod<BruteTraits>>(); }
+
+std::vector<std::uint32_t> surface_vertices(const SkinnedMesh& mesh) {
+  std::map<std::vector<std::uint32_t>, std::uint32_t> lowest;
+  std::vector<std::uint32_t> surface;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    surface.push_back(lowest.emplace(bits_of(mesh, v), v).first->second);
+  return surface;
+}
+
+std::unique_ptr<Method> make_self_brute() {
+  return std::make_unique<BodyMethod<SelfBruteTraits>>();
 }
 
 }  // namespace pelt::methods

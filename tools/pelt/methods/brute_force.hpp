@@ -1,8 +1,8 @@
 #pragma once
 
-/// The oracle: tests every triangle of one body against every triangle of the other with the exact
-/// predicate. Uses no tree; only skips triangles outside the other body's box, and pairs whose
-/// boxes do not overlap.
+/// The oracles: test every triangle of one body against every triangle of the other, or of the same
+/// body, with the exact predicate. They use no tree, and only skip triangles outside the other
+/// body's box, and pairs whose boxes do not overlap.
 
 #include "skin/palette.hpp"
 #include "skin/skinned_mesh.hpp"
@@ -35,5 +35,9 @@ QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
                                std::span<const Triangle> triangles_b,
                                std::span<const Vec3> positions_b, std::vector<Contact>& contacts,
                                std::uint32_t max_contacts);
+
+/// Returns for each vertex the lowest vertex with an equal rest position and the same bits in
+/// displacements.
+std::vector<std::uint32_t> surface_vertices(const detail::SkinnedMesh& mesh);
 
 }  // namespace pelt::methods

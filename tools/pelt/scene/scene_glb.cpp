@@ -2,8 +2,8 @@
 
 #include <pelt/pose.hpp>
 
+#include "scenes/glb_builder.hpp"
 #include "scenes/smooth_normals.hpp"
-#include "tools/pelt/output/glb_writer.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
 
 #include <array>
@@ -11,6 +11,37 @@
 
 namespace pelt::tools::scene {
 namespace {
+
+using nlohmann::ordered_json;
+using scenes::GlbBuilder;
+
+void add_mesh(const GlbMesh& mesh, GlbBuilder& glb) {
+  ordered_json attributes;
+  attributes["POSITION"] = glb.add_positions(mesh.positions);
+  if (!mesh.normals.empty()) attributes["NORMAL"] = glb.add_vectors(mesh.normals);
+  ordered_json primitives = ordered_json::array();
+  for (const GlbPrimitive& primitive : mesh.primitives) {
+    primitives.push_back({{"attributes", attributes},
+                          {"indices", glb.add_indices(primitive.triangles)},
+                          {"material", primitive.material}});
+  }
+  ordered_json& json = glb.json;
+  const std::size_t number = json["meshes"].size();
+  json["meshes"].push_back({{"name", mesh.name}, {"primitives", std::move(primitives)}});
+  json["nodes"].push_back({{"name", mesh.name}, {"mesh", number}});
+  json["scenes"][0]["nodes"].push_back(number);
+}
+
+ordered_json material_json(const GlbMaterial& material) {
+  const std::array<float, 3>& c = material.base_colour;
+  return {{"name", material.name},
+          {"pbrMetallicRoughness",
+           {{"baseColorFactor", {c[0], c[1], c[2], 1}},
+            {"metallicFactor", 0},
+            {"roughnessFactor", 0.6}}},
+          {"emissiveFactor", material.emissive},
+          {"doubleSided", true}};
+}
 
 /// Size of the instances in a .glb (positions, normals and indices), whose sizes have 32 bits.
 Result<void> check_glb_size(const scenes::Scene& scene) {
@@ -66,8 +97,8 @@ constexpr std::array<std::array<float, 3>, 4> kSkinColours = {{
 }};
 
 /// One material per skin colour, then the material of triangles in contact.
-std::vector<output::GlbMaterial> materials() {
-  std::vector<output::GlbMaterial> all;
+std::vector<GlbMaterial> materials() {
+  std::vector<GlbMaterial> all;
   all.reserve(kSkinColours.size() + 1);
   for (const std::array<float, 3>& colour : kSkinColours) {
     all.push_back({"skin " + std::to_string(all.size()), colour});
@@ -94,6 +125,15 @@ Sorted sort_triangles(std::span<const Triangle> triangles, const std::vector<boo
 }
 
 }  // namespace
+
+std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
+                                std::span<const GlbMaterial> materials) {
+  GlbBuilder glb;
+  for (const GlbMaterial& material : materials)
+    glb.json["materials"].push_back(material_json(material));
+  for (const GlbMesh& mesh : meshes) add_mesh(mesh, glb);
+  return glb.file();
+}
 
 Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, std::uint32_t frame,
                                                   const arguments::ModelArguments& arguments) {
@@ -127,13 +167,13 @@ std::array<float, 3> skin_colour(std::size_t instance) {
 }
 
 std::vector<std::byte> posed_glb(std::span<const PosedInstance> instances) {
-  std::vector<output::GlbMesh> meshes;
+  std::vector<GlbMesh> meshes;
   for (const PosedInstance& instance : instances) {
-    output::GlbMesh mesh{instance.name, instance.positions, {}, {}};
+    GlbMesh mesh{instance.name, instance.positions, {}, {}};
     mesh.primitives.push_back({instance.triangles, skin_material(meshes.size())});
     meshes.push_back(std::move(mesh));
   }
-  return output::make_glb(meshes, materials());
+  return make_glb(meshes, materials());
 }
 
 std::vector<std::vector<bool>> touching_triangles(std::span<const PosedInstance> instances,
@@ -160,16 +200,16 @@ std::vector<std::byte> contacts_glb(std::span<const PosedInstance> instances,
     sorted.push_back(sort_triangles(instances[i].triangles, touching[i]));
     normals.push_back(normals_of(instances[i]));
   }
-  std::vector<output::GlbMesh> meshes;
+  std::vector<GlbMesh> meshes;
   for (std::size_t i = 0; i < instances.size(); ++i) {
-    output::GlbMesh mesh{instances[i].name, instances[i].positions, normals[i], {}};
+    GlbMesh mesh{instances[i].name, instances[i].positions, normals[i], {}};
     if (!sorted[i].free.empty()) mesh.primitives.push_back({sorted[i].free, skin_material(i)});
     if (!sorted[i].touching.empty()) {
       mesh.primitives.push_back({sorted[i].touching, kContactMaterial});
     }
     meshes.push_back(std::move(mesh));
   }
-  return output::make_glb(meshes, materials());
+  return make_glb(meshes, materials());
 }
 
 }  // namespace pelt::tools::scene

@@ -2,6 +2,7 @@
 
 /// The output of `--glb` and `pelt pose`, for any glTF viewer.
 
+#include <pelt/mesh.hpp>
 #include <pelt/model.hpp>
 
 #include "scenes/scene.hpp"
@@ -9,11 +10,37 @@
 #include "tools/pelt/scene/colliders.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace pelt::tools::scene {
+
+/// A .glb file: meshes without skins or textures, each on its own root node.
+struct GlbMaterial {
+  std::string name;
+  std::array<float, 3> base_colour = {1, 1, 1};  ///< linear
+  std::array<float, 3> emissive = {0, 0, 0};
+};
+
+struct GlbPrimitive {
+  std::span<const Triangle> triangles;  ///< indices into the mesh's positions; not empty
+  std::size_t material = 0;
+};
+
+struct GlbMesh {
+  std::string name;
+  std::span<const Vec3> positions;  ///< written bit for bit; not empty
+  std::span<const Vec3> normals;    ///< unit normals, one per position; or empty
+  std::vector<GlbPrimitive> primitives;
+};
+
+/// Returns a binary glTF 2.0 file; node i has mesh i and no transform.
+std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
+                                std::span<const GlbMaterial> materials);
 
 struct PosedInstance {
   std::string name;                     ///< "knight 0"

@@ -4,7 +4,6 @@
 #include "tools/pelt/arguments/verb.hpp"
 #include "tools/pelt/bench/bench_run.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
-#include "tools/pelt/methods/self_methods.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
 #include <sstream>

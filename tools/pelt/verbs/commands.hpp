@@ -1,13 +1,16 @@
 #pragma once
 
-/// The verbs of the command, each in a file of its own. Each function adds its verb to `app`; if
-/// the command line names the verb, sets `chosen` to its command. `check` and `merge` get the
-/// methods of the program.
+/// The command `pelt`, and its verbs, each in a file of its own. Each function adds its verb to
+/// `app`; if the command line names the verb, sets `chosen` to its command. `check` and `merge` get
+/// the methods of the program.
 
-#include "tools/pelt/arguments/verb.hpp"
+#include "tools/pelt/arguments/command_line.hpp"
 #include "tools/pelt/methods/method.hpp"
 
 namespace pelt::tools::verbs {
+
+/// With all verbs.
+extern const arguments::Program kPelt;
 
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);
 void add_merge(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);

@@ -1,9 +1,8 @@
-#include "tools/pelt/program.hpp"
-
-#include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/verbs/commands.hpp"
 
-namespace pelt::tools {
+#include "tools/pelt/methods/command_methods.hpp"
+
+namespace pelt::tools::verbs {
 namespace {
 
 constexpr const char* kFooter = R"(
@@ -12,7 +11,6 @@ that --fail-on selects), 1 what --fail-on selects (check and merge only; by defa
 2 bad input or arguments, 3 internal error.)";
 
 void add_verbs(CLI::App& app, arguments::Command& chosen) {
-  using namespace verbs;
   add_check(app, chosen, methods::kCommandMethods);
   add_merge(app, chosen, methods::kCommandMethods);
   add_view(app, chosen);
@@ -32,4 +30,4 @@ void add_verbs(CLI::App& app, arguments::Command& chosen) {
 const arguments::Program kPelt = {
     "pelt", "Exact collision detection for animated, skinned characters.", kFooter, add_verbs};
 
-}  // namespace pelt::tools
+}  // namespace pelt::tools::verbs

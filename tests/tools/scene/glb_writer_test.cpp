@@ -1,4 +1,4 @@
-#include "tools/pelt/output/glb_writer.hpp"
+#include "tools/pelt/scene/scene_glb.hpp"
 
 #include <pelt/asset.hpp>
 
@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace pelt::tools::output {
+namespace pelt::tools::scene {
 namespace {
 
 /// Values whose bits a careless writer would change.
@@ -87,4 +87,4 @@ TEST(GlbWriter, KeepsTheRulesOfTheDocument) {
 }
 
 }  // namespace
-}  // namespace pelt::tools::output
+}  // namespace pelt::tools::scene
