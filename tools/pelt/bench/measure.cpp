@@ -41,14 +41,6 @@ class TouchHash {
   detail::Fnv1a64 hash_;
 };
 
-QueryStats difference(QueryStats after, const QueryStats& before) {
-  after.node_pairs -= before.node_pairs;
-  after.refits -= before.refits;
-  after.posed_vertices -= before.posed_vertices;
-  after.triangle_pairs -= before.triangle_pairs;
-  return after;
-}
-
 /// The answer of the frames added so far.
 struct AnswerSoFar {
   explicit AnswerSoFar(Asked asked) : touches(asked) {}
@@ -324,7 +316,7 @@ Result<std::vector<Answer>> answer(const Subject& subject, const BenchMethod& me
       const QueryStats before = runner.work();
       if (const auto posed = runner.pose(palettes); !posed) return in_frame(frame, posed.error());
       runner.ask(questions[q]);
-      answers[q].work += difference(runner.work(), before);
+      answers[q].work += scene::work_between(before, runner.work());
       answers[q].add(frame, subject.colliders.size(), runner.found());
     }
   }

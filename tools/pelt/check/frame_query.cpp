@@ -34,17 +34,6 @@ std::uint64_t take_ignored_out(const Stage& stage, scene::FrameContacts& found) 
   return before - found.contacts.size();
 }
 
-/// The work between two sums. `cut_short` of the result is always false.
-QueryStats work_between(const QueryStats& before, const QueryStats& after) {
-  QueryStats work;
-  work.node_pairs = after.node_pairs - before.node_pairs;
-  work.refits = after.refits - before.refits;
-  work.posed_vertices = after.posed_vertices - before.posed_vertices;
-  work.triangle_pairs = after.triangle_pairs - before.triangle_pairs;
-  work.displacements = after.displacements - before.displacements;
-  return work;
-}
-
 /// Whether a crowd cannot answer what is asked. A crowd tests colliders against themselves first,
 /// and with all nodes opened, a limit ends a query of a pair at other contacts.
 bool needs_poses(const Stage& stage) {
@@ -95,7 +84,7 @@ Result<void> FrameQuery::ask_frame(std::size_t index, FrameAnswer& answer) {
   ask_inside(answer);
   answer.ignored = take_ignored_out(stage_, answer.found);
   describe(answer);
-  answer.work = contacts_ ? work_between(before, contacts_->work()) : QueryStats{};
+  answer.work = contacts_ ? scene::work_between(before, contacts_->work()) : QueryStats{};
   answer.work += work_;
   return ask_step(index, answer);
 }

@@ -37,13 +37,6 @@ double distance_from_middle(const Vec3& begin, const Vec3& middle, const Vec3& e
   return std::sqrt(x * x + y * y + z * z);
 }
 
-Result<void> pose_vertices(const scene::PoseInputs& inputs, Pose& pose, std::vector<Vec3>& out) {
-  if (const auto posed = scene::set_pose(inputs, pose); !posed) return posed;
-  out.resize(pose.model().vertex_count());
-  posed_vertices(pose, out);
-  return {};
-}
-
 }  // namespace
 
 ChordDeviation::ChordDeviation(const scene::StagedScene& staged) : staged_(staged) {
@@ -76,8 +69,8 @@ void ChordDeviation::sample(std::uint32_t instance, const Deviation& step, std::
 /// Updates `largest` by the vertices of a collider. Precondition: its instance is sampled.
 Result<void> ChordDeviation::measure(std::uint32_t collider, Deviation& largest) {
   const auto pose = [&](std::size_t half, std::vector<Vec3>& out) {
-    return pose_vertices(selection_.select(halves_[half], staged_.colliders[collider]),
-                         poses_[collider], out);
+    return scene::pose_vertices(selection_.select(halves_[half], staged_.colliders[collider]),
+                                poses_[collider], out);
   };
   if (const auto posed = pose(0, end_); !posed) return posed;
   for (std::size_t half = 2; half < halves_.size(); half += 2) {

@@ -20,17 +20,7 @@ bool contains(const scene::FrameContacts& found, const FoundInStep& touch) {
   return std::binary_search(contacts.begin(), contacts.end(), touch.contact);
 }
 
-/// Appends a contact. Pairs of colliders ascend.
-void append(const FoundInStep& touch, scene::FrameContacts& contacts) {
-  const std::size_t end = contacts.contacts.size();
-  if (contacts.pairs.empty() || contacts.pairs.back().a != touch.a ||
-      contacts.pairs.back().b != touch.b)
-    contacts.pairs.push_back({touch.a, touch.b, end, end});
-  contacts.pairs.back().end = end + 1;
-  contacts.contacts.push_back(touch.contact);
-}
-
-StepBetween::Earliest earliest_of(const StepContacts& step) {
+FoundInStep earliest_of(const StepContacts& step) {
   const std::size_t index = step.earliest();
   for (const scene::FrameContacts::Pair& pair : step.between.pairs) {
     if (index < pair.end) return {pair.a, pair.b, step.between.contacts[index], step.firsts[index]};
@@ -57,7 +47,7 @@ StepContacts contacts_of_step(const StepAnswer& step, const scene::FrameContacts
     if (contains(at_start, touch)) continue;
     ++contacts.contacts;
     if (contains(at_end, touch)) continue;
-    append(touch, contacts.between);
+    contacts.between.add(touch.a, touch.b, touch.contact);
     contacts.firsts.push_back(touch.first);
   }
   return contacts;

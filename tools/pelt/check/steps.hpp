@@ -31,16 +31,9 @@ StepContacts contacts_of_step(const StepAnswer& step, const scene::FrameContacts
 
 /// A step in which triangles touch between the frames and in neither frame.
 struct StepBetween {
-  /// The contact of the step that touches first.
-  struct Earliest {
-    std::uint32_t a = 0, b = 0;  ///< colliders
-    Contact contact;             ///< triangle numbers of the assets
-    FirstTouch first;
-  };
-
   std::uint32_t from = 0, to = 0;  ///< frames
   std::uint64_t contacts = 0;      ///< between the frames
-  Earliest earliest;
+  FoundInStep earliest;            ///< the contact that touches first
 };
 
 struct BetweenReport {

@@ -59,6 +59,13 @@ Error in_instance(std::uint32_t instance, const Error& error) {
   return text::prefixed("instances[" + std::to_string(instance) + "]", error);
 }
 
+Result<void> pose_vertices(const PoseInputs& inputs, Pose& pose, std::vector<Vec3>& positions) {
+  if (const auto posed = set_pose(inputs, pose); !posed) return posed;
+  positions.resize(pose.model().vertex_count());
+  posed_vertices(pose, positions);
+  return {};
+}
+
 PartedInstances::PartedInstances(std::span<const Collider> colliders) {
   for (const Collider& collider : colliders) {
     const bool is_known = !parted_.empty() && parted_.back().instance == collider.instance;

@@ -4,6 +4,7 @@
 
 #include <pelt/asset.hpp>
 #include <pelt/math.hpp>
+#include <pelt/pose.hpp>
 #include <pelt/result.hpp>
 
 #include "scenes/scene.hpp"
@@ -68,6 +69,9 @@ Result<void> set_pose(const PoseInputs& inputs, Poser& poser, Number... number) 
   }
   return poser.set_palette(number..., inputs.joints);
 }
+
+/// Poses all vertices; replaces `positions`.
+Result<void> pose_vertices(const PoseInputs& inputs, Pose& pose, std::vector<Vec3>& positions);
 
 /// Prefixes the message of an error with the instance.
 Error in_instance(std::uint32_t instance, const Error& error);

@@ -1,7 +1,5 @@
 #include "tools/pelt/scene/scene_glb.hpp"
 
-#include <pelt/pose.hpp>
-
 #include "scenes/glb_builder.hpp"
 #include "scenes/smooth_normals.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
@@ -68,14 +66,6 @@ Result<std::vector<SkinnedModel>> build_models(const scenes::Scene& scene,
     models.push_back(std::move(*model));
   }
   return models;
-}
-
-Result<std::vector<Vec3>> pose_vertices(const SkinnedModel& model, const PoseInputs& inputs) {
-  Pose pose(model);
-  if (const auto posed = set_pose(inputs, pose); !posed) return posed.error();
-  std::vector<Vec3> positions(model.vertex_count());
-  posed_vertices(pose, positions);
-  return positions;
 }
 
 /// Returns for each position the first vertex at the same position.
@@ -146,10 +136,11 @@ Result<std::vector<PosedInstance>> pose_instances(const scenes::Scene& scene, st
   std::vector<PosedInstance> posed;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const std::uint32_t c = scene.instances[i].character;
-    Result<std::vector<Vec3>> positions =
-        pose_vertices((*models)[c], inputs_of_instance(palettes, i));
-    if (!positions) return in_instance(i, positions.error());
-    posed.push_back({scene.characters[c].name + " " + std::to_string(i), std::move(*positions),
+    Pose pose((*models)[c]);
+    std::vector<Vec3> positions;
+    const auto set = pose_vertices(inputs_of_instance(palettes, i), pose, positions);
+    if (!set) return in_instance(i, set.error());
+    posed.push_back({scene.characters[c].name + " " + std::to_string(i), std::move(positions),
                      scene.characters[c].asset.triangles});
   }
   return posed;

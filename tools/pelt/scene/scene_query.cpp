@@ -127,4 +127,14 @@ QueryStats SceneQuery::work() const {
   return work;
 }
 
+QueryStats work_between(const QueryStats& before, const QueryStats& after) {
+  QueryStats work;
+  work.node_pairs = after.node_pairs - before.node_pairs;
+  work.refits = after.refits - before.refits;
+  work.posed_vertices = after.posed_vertices - before.posed_vertices;
+  work.triangle_pairs = after.triangle_pairs - before.triangle_pairs;
+  work.displacements = after.displacements - before.displacements;
+  return work;
+}
+
 }  // namespace pelt::tools::scene

@@ -81,4 +81,7 @@ class SceneQuery {
   QueryStats query_work_;
 };
 
+/// The work between two sums. `cut_short` of the result is always false.
+QueryStats work_between(const QueryStats& before, const QueryStats& after);
+
 }  // namespace pelt::tools::scene
