@@ -34,6 +34,16 @@ inline CheckFile parse_check_file(const std::string& text) {
   return file;
 }
 
+/// The lines of JSON that a verb writes. Expects this exit code.
+inline CheckFile answer_of(const TestFolder& folder, int exit_code, const Words& words) {
+  return parse_check_file(run_pelt(folder, exit_code, joined(words, {"--jsonl", "-"})).out);
+}
+
+/// The answer of `pelt check` with the triangles of all contacts.
+inline CheckFile check_pairs(const TestFolder& folder, int exit_code, const Words& options) {
+  return answer_of(folder, exit_code, joined({"check", "--pairs"}, options));
+}
+
 /// Contacts between two ranges of triangles of two instances, as JSON.
 inline nlohmann::json brute_force_json(const tools::scene::PosedInstance& a,
                                        const tools::scene::PosedInstance& b) {

@@ -8,27 +8,25 @@ namespace pelt::test {
 namespace {
 
 struct Refusal {
-  std::vector<std::string> arguments;
-  std::vector<std::string> words;  ///< in the message
+  Words arguments;
+  Words words;  ///< in the message
 };
 
 class Refused : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(Refused, WithAMessage) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_strip(folder, "strip.glb");
   write_text(folder / "broken.glb", "no glTF");
   write_text(folder / "cut.glb", read_text(folder / "strip.glb").substr(0, 500));
   write_text(folder / "broken.json", "{");
   write_text(folder / "no_model.json", R"({"models": {"a": "none.glb"}, "instances": []})");
-  const Ended run = run_pelt(folder, GetParam().arguments);
-  EXPECT_EQ(run.exit_code, 2);
+  const Ended run = run_pelt(folder, 2, GetParam().arguments);
   EXPECT_EQ(run.out, "");
   EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
   EXPECT_EQ(run.err.rfind("pelt: error: ", 0), 0u) << run.err;
   for (const std::string& word : GetParam().words) {
-    EXPECT_NE(run.err.find(word), std::string::npos) << word << " is not in: " << run.err;
+    EXPECT_TRUE(contains(run.err, word));
   }
 }
 

@@ -80,8 +80,8 @@ class MemoryLimit : public ::testing::Test {
   void expect_named(const std::string& arguments, const std::string& name) {
     const Ended run = run_limited(folder_, arguments);
     EXPECT_EQ(run.exit_code, 2) << run.err;
-    EXPECT_NE(run.err.find(name), std::string::npos) << run.err;
-    EXPECT_NE(run.err.find("needs more memory than there is"), std::string::npos) << run.err;
+    EXPECT_TRUE(contains(run.err, name));
+    EXPECT_TRUE(contains(run.err, "needs more memory than there is"));
   }
 
   TestFolder folder_;
@@ -98,8 +98,7 @@ TEST_F(MemoryLimit, RefusesAHugeFileOfAnotherFormatByItsBeginning) {
   for (const char* verb : {"info huge.glb", "check huge.glb"}) {
     const Ended run = run_limited(folder_, verb);
     EXPECT_EQ(run.exit_code, 2) << run.err;
-    EXPECT_NE(run.err.find("huge.glb: the file starts neither like a .glb"), run.err.npos)
-        << run.err;
+    EXPECT_TRUE(contains(run.err, "huge.glb: the file starts neither like a .glb"));
   }
 }
 
@@ -111,15 +110,15 @@ TEST_F(MemoryLimit, NamesAModelLargerThanItsMemoryGroup) {
   for (const char* verb : {"info huge.glb", "check huge.glb"}) {
     const Ended run = group.run(folder_, verb);
     EXPECT_EQ(run.exit_code, 2) << run.err;
-    EXPECT_NE(run.err.find("huge.glb: needs more memory than there is"), run.err.npos) << run.err;
+    EXPECT_TRUE(contains(run.err, "huge.glb: needs more memory than there is"));
   }
   // The tree of a model whose file is small.
   write_text(folder_ / "scene.json", R"({"models": {"a": {"creature": {"triangles": 1000000}}},
                                          "instances": [{"model": "a"}]})");
   const Ended run = group.run(folder_, "bounds scene.json");
   EXPECT_EQ(run.exit_code, 2) << run.err;
-  EXPECT_NE(run.err.find("scene.json: "), run.err.npos) << run.err;
-  EXPECT_NE(run.err.find("needs more memory than there is"), run.err.npos) << run.err;
+  EXPECT_TRUE(contains(run.err, "scene.json: "));
+  EXPECT_TRUE(contains(run.err, "needs more memory than there is"));
   write_bytes(folder_ / "limb.glb", swaying_limb(8));
   EXPECT_EQ(group.run(folder_, "info limb.glb").exit_code, 0);
 }
@@ -160,8 +159,8 @@ TEST_F(MemoryLimit, NamesTheModelWhereverItIsReached) {
       if (run.exit_code == 0) continue;
       ++failures;
       EXPECT_EQ(run.exit_code, 2) << verb << " within " << megabytes << " MB: " << run.err;
-      EXPECT_NE(run.err.find("pelt: error: limb.glb"), std::string::npos) << run.err;
-      EXPECT_NE(run.err.find("needs more memory than there is"), std::string::npos) << run.err;
+      EXPECT_TRUE(contains(run.err, "pelt: error: limb.glb"));
+      EXPECT_TRUE(contains(run.err, "needs more memory than there is"));
       EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
     }
     EXPECT_GT(failures, 3u) << verb;
@@ -188,7 +187,7 @@ TEST_F(MemoryLimit, SufficesForParts) {
                            "bounds dust.gltf --by part"}) {
     const Ended run = run_limited(folder_, verb, 800);
     EXPECT_EQ(run.exit_code, 0) << verb << ": " << run.err;
-    EXPECT_NE(run.out.find("8,000 parts"), std::string::npos) << run.out;
+    EXPECT_TRUE(contains(run.out, "8,000 parts"));
   }
 }
 

@@ -4,10 +4,9 @@
 
 namespace pelt::test {
 
-Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
-               const std::string& search_path) {
+Ended run_pelt(const TestFolder& folder, const Words& arguments, const std::string& search_path) {
   const CalledProgram called(folder.path(), search_path);
-  std::vector<std::string> words = {"pelt"};
+  Words words = {"pelt"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -17,6 +16,13 @@ Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& argumen
   run.exit_code = tools::arguments::run_command_line(tools::verbs::kPelt, count, pointers.data());
   run.out = called.out();
   run.err = called.err();
+  return run;
+}
+
+Ended run_pelt(const TestFolder& folder, int exit_code, const Words& arguments) {
+  Ended run = run_pelt(folder, arguments);
+  EXPECT_EQ(run.exit_code, exit_code) << ::testing::PrintToString(arguments) << '\n'
+                                      << run.out << run.err;
   return run;
 }
 

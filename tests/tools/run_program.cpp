@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// Runs in the child process. Never returns.
 [[noreturn]] void become(const fs::path& folder, const fs::path& out, const fs::path& err,
-                         const std::string& search_path, const std::vector<std::string>& words) {
+                         const std::string& search_path, const Words& words) {
   const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err_file = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   dup2(out_file, STDOUT_FILENO);
@@ -41,8 +41,7 @@ TestFolder::~TestFolder() {
   fs::remove_all(path_, ignored);
 }
 
-Ended run_program(const fs::path& folder, const std::vector<std::string>& words,
-                  const std::string& search_path) {
+Ended run_program(const fs::path& folder, const Words& words, const std::string& search_path) {
   const TestFolder streams;
   const fs::path out = streams / "out", err = streams / "err";
   const pid_t child = fork();

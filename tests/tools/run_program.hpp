@@ -2,7 +2,7 @@
 
 /// Runs programs, mainly the command under test.
 
-#include <gtest/gtest.h>
+#include "support/contains.hpp"
 
 #include <filesystem>
 #include <set>
@@ -10,6 +10,14 @@
 #include <vector>
 
 namespace pelt::test {
+
+using Words = std::vector<std::string>;
+
+/// Both lists, one after the other.
+inline Words joined(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
 
 struct Ended {
   int exit_code = -1;  ///< -1: ended by a signal
@@ -32,13 +40,16 @@ class TestFolder {
 };
 
 /// Runs a program found on PATH, in `folder`. If `search_path` is not empty, it replaces PATH.
-Ended run_program(const std::filesystem::path& folder, const std::vector<std::string>& words,
+Ended run_program(const std::filesystem::path& folder, const Words& words,
                   const std::string& search_path = "");
 
 /// Runs the command with these arguments in `folder`. Does not start a process: use `run_program`
 /// with PELT_COMMAND for tests of signals, pipes, limits or closed streams.
-Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
+Ended run_pelt(const TestFolder& folder, const Words& arguments,
                const std::string& search_path = "");
+
+/// The same, and expects this exit code.
+Ended run_pelt(const TestFolder& folder, int exit_code, const Words& arguments);
 
 /// The names in a folder.
 std::set<std::string> names_in(const TestFolder& folder);

@@ -1,7 +1,10 @@
 #include "tools/test_scenes.hpp"
 
+#include <pelt/version.hpp>
+
 #include "support/skinned_shapes.hpp"
 
+#include <cstdlib>
 #include <fstream>
 
 namespace pelt::test {
@@ -115,6 +118,19 @@ std::string write_strip(const TestFolder& folder, const std::string& name) {
 std::string viewer_page(const std::string& version) {
   return R"(<html><meta name="generator" content="Pelt )" + version +
          R"("><p id="pelt-verdict"></p><script type="application/json" id="pelt-data"></script><p>viewer</p></html>)";
+}
+
+ViewerPage::ViewerPage(const TestFolder& folder) {
+  write_text(folder / "viewer.html", viewer_page(PELT_VERSION));
+  EXPECT_EQ(setenv("PELT_VIEWER", (folder / "viewer.html").c_str(), 1), 0);
+}
+
+ViewerPage::~ViewerPage() { unsetenv("PELT_VIEWER"); }
+
+json data_of(const std::string& page) {
+  const std::string open = R"(id="pelt-data">)";
+  const std::size_t begin = page.find(open) + open.size();
+  return json::parse(page.substr(begin, page.find("</script>") - begin));
 }
 
 }  // namespace pelt::test

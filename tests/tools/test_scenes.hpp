@@ -35,6 +35,11 @@ inline constexpr const char* kLimbsScene = R"({
 /// Writes kLimbsScene to scene.json of the folder, and its models. Returns its path.
 std::string write_limbs(const TestFolder& folder);
 
+/// A folder with the files of write_limbs.
+struct LimbsFolder : TestFolder {
+  LimbsFolder() { write_limbs(*this); }
+};
+
 /// paper_strip() with an unskinned sheet on its node "upper" that crosses the strip: parts "paper"
 /// (6 triangles) and "fan" (2), clips "bend" (1 s) and one without a name.
 GltfBuilder strip_with_fan();
@@ -42,7 +47,22 @@ GltfBuilder strip_with_fan();
 /// Writes strip_with_fan() to `name` in the folder. Returns its path.
 std::string write_strip(const TestFolder& folder, const std::string& name);
 
+/// A folder with strip.glb.
+struct StripFolder : TestFolder {
+  StripFolder() { write_strip(*this, "strip.glb"); }
+};
+
 /// A page that replaces the viewer.
 std::string viewer_page(const std::string& version);
+
+/// Writes such a page to viewer.html in the folder, and makes the command use it.
+class ViewerPage {
+ public:
+  explicit ViewerPage(const TestFolder& folder);
+  ~ViewerPage();
+};
+
+/// The data that the command writes into a page.
+json data_of(const std::string& page);
 
 }  // namespace pelt::test

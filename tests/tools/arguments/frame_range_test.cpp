@@ -1,5 +1,7 @@
 #include "tools/pelt/arguments/values.hpp"
 
+#include "support/contains.hpp"
+
 #include <gtest/gtest.h>
 
 namespace pelt::tools::arguments {
@@ -28,8 +30,8 @@ TEST(FrameRange, RefusesWhatIsNone) {
                            "0:3 ", "0:4294967296", "0.5:3"}) {
     const Result<FrameRange> range = parse_frame_range(text);
     ASSERT_FALSE(range) << text;
-    EXPECT_NE(range.error().message.find("--frames"), std::string::npos);
-    EXPECT_NE(range.error().message.find(text), std::string::npos);
+    EXPECT_TRUE(test::contains(range.error().message, "--frames"));
+    EXPECT_TRUE(test::contains(range.error().message, text));
   }
 }
 

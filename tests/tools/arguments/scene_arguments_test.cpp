@@ -82,7 +82,7 @@ TEST_F(SceneArguments, SayInTheSummaryWhatTheyNote) {
   scene.notes = {"one thing", "another"};
   std::ostringstream words;
   tools::scene::print_scene({scene, {}}, words);
-  EXPECT_NE(words.str().find("\nnote       one thing\nnote       another\n"), std::string::npos);
+  EXPECT_TRUE(contains(words.str(), "\nnote       one thing\nnote       another\n"));
 }
 
 TEST_F(SceneArguments, LeaveOutWhatOneOfSeveralModelsHas) {
@@ -113,7 +113,7 @@ TEST_F(SceneArguments, SayWhatMayBeGivenForAFileOfAnotherKind) {
   const auto scene = tools::arguments::load_named_character(
       folder_ / "scene.json", {}, "a glTF file, .glb or .gltf, or a prepared model");
   ASSERT_FALSE(scene);
-  EXPECT_NE(scene.error().message.find("is not a model: give a glTF file"), std::string::npos);
+  EXPECT_TRUE(contains(scene.error().message, "is not a model: give a glTF file"));
 }
 
 }  // namespace

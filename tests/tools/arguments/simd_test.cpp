@@ -9,14 +9,11 @@ namespace pelt::test {
 namespace {
 
 TEST(Simd, EveryTargetGivesTheSameAnswerWithTheSameWork) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   std::vector<json> totals;
   for (const InstructionSet set : available_instruction_sets()) {
-    const Ended run = run_pelt(
-        folder, {"check", "scene.json", "--simd", name_of(set), "--jsonl", "-", "--pairs"});
-    ASSERT_EQ(run.exit_code, 1) << run.err;
-    totals.push_back(parse_check_file(run.out).totals);
+    totals.push_back(
+        answer_of(folder, 1, {"check", "scene.json", "--simd", name_of(set), "--pairs"}).totals);
     EXPECT_GT(totals.back()["totals"]["contacts"], 0);
     EXPECT_EQ(totals.back(), totals.front()) << name_of(set);
   }
@@ -24,15 +21,14 @@ TEST(Simd, EveryTargetGivesTheSameAnswerWithTheSameWork) {
 }
 
 TEST(Simd, BenchNamesTheTargetItMeasured) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   for (const InstructionSet set : available_instruction_sets()) {
-    const Ended run = run_pelt(folder, {"bench", "scene.json", "--simd", name_of(set), "--methods",
-                                        "on_demand", "--repeat", "1", "--json", "a.json"});
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Ended run = run_pelt(folder, 0,
+                               {"bench", "scene.json", "--simd", name_of(set), "--methods",
+                                "on_demand", "--repeat", "1", "--json", "a.json"});
     const json file = json::parse(read_text(folder / "a.json"));
     EXPECT_EQ(file["machine"]["instruction_set"], name_of(set));
-    EXPECT_NE(run.out.find(std::string(", ") + name_of(set) + ", "), std::string::npos);
+    EXPECT_TRUE(contains(run.out, std::string(", ") + name_of(set) + ", "));
   }
 }
 

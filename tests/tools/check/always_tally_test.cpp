@@ -1,6 +1,7 @@
 #include "tools/pelt/check/tallies.hpp"
 
 #include "support/random.hpp"
+#include "tools/scene/walkers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,11 +64,10 @@ void append(std::uint32_t a, std::uint32_t b, const std::vector<Contact>& contac
 TEST(AlwaysTally, CountsTheContactsOfWhatContactTallyFinds) {
   Random random(2204);
   const scenes::Scene scene = scene_of({0, 1, 0});
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
+  const auto colliders = test::colliders_of(scene);
   std::size_t rare = 0, frequent = 0;
   for (std::size_t frames = 1; frames <= 60; ++frames) {
-    AlwaysTally tally({scene, *colliders}, frames, 0.95);
+    AlwaysTally tally({scene, colliders}, frames, 0.95);
     std::array<ContactTally, 2> expected;
     std::array<std::map<Contact, std::uint64_t>, 2> counts;
     std::uint64_t contacts = 0;

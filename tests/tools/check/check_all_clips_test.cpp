@@ -20,36 +20,29 @@ const std::vector<std::string> kApart = {"--at", "0,0,0", "--at", "0.25,0,0.1"};
 
 /// A check of two strips, with `clips` for each of them and other options.
 std::vector<std::string> two_strips(const std::string& strip, const std::vector<std::string>& clips,
-                                    const std::vector<std::string>& options = {}) {
-  std::vector<std::string> arguments = {"check", strip, strip};
+                                    const Words& options = {}) {
+  Words arguments = {"check", strip, strip};
   for (const std::string& clip : clips) arguments.insert(arguments.end(), {"--clip", clip});
   arguments.insert(arguments.end(), kApart.begin(), kApart.end());
   arguments.insert(arguments.end(), options.begin(), options.end());
   return arguments;
 }
 
-CheckFile answer_of(const TestFolder& folder, const std::vector<std::string>& arguments) {
-  std::vector<std::string> all = arguments;
-  all.insert(all.end(), {"--jsonl", "-", "--pairs"});
-  const Ended run = run_pelt(folder, all);
-  EXPECT_EQ(run.exit_code, 1) << run.err;
-  return parse_check_file(run.out);
-}
-
-bool contains(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
+/// The answer of a check that finds contacts.
+CheckFile checked(const TestFolder& folder, const Words& words) {
+  return answer_of(folder, 1, joined(words, {"--pairs"}));
 }
 
 TEST(CheckAllClips, FindWhatChecksOfEachClipFind) {
   const TestFolder folder;
   const std::string strip = write_moving_strip(folder);
-  const CheckFile all = answer_of(folder, two_strips(strip, {"*", "bend"}));
+  const CheckFile all = checked(folder, two_strips(strip, {"*", "bend"}));
   ASSERT_EQ(all.frames.size(), 60u);
   EXPECT_EQ(all.header["options"]["clips"], json({"bend", "wave"}));
   std::uint64_t contacts = 0;
   std::size_t touches = 0, first = 0;
   for (const char* clip : {"bend", "wave"}) {
-    const CheckFile one = answer_of(folder, two_strips(strip, {clip, "bend"}));
+    const CheckFile one = checked(folder, two_strips(strip, {clip, "bend"}));
     ASSERT_EQ(one.frames.size(), 30u);
     for (std::size_t f = 0; f < 30; ++f) {
       const json& frame = all.frames[first + f];
@@ -81,8 +74,7 @@ TEST(CheckAllClips, FindWhatChecksOfEachClipFind) {
 TEST(CheckAllClips, AreNamedInTheSummary) {
   const TestFolder folder;
   const Ended run =
-      run_pelt(folder, two_strips(write_moving_strip(folder), {"*", "-"}, {"--contacts"}));
-  EXPECT_EQ(run.exit_code, 1) << run.err;
+      run_pelt(folder, 1, two_strips(write_moving_strip(folder), {"*", "-"}, {"--contacts"}));
   for (const char* words :
        {"clips      2; --frames of each: \"bend\" 0:30, \"wave\" 30:60\n", "frames: \"bend\" 0-",
         ", \"wave\" 0-", "worst      frame 0 of clip \"bend\" (0.000 s)",
@@ -98,29 +90,28 @@ TEST(CheckAllClips, CountTheFramesOfEachClipFromItsStart) {
   const TestFolder folder;
   const std::string strip = write_moving_strip(folder);
   const std::vector<std::string> late = {"--start", "0.4"};
-  const CheckFile all = answer_of(folder, two_strips(strip, {"*", "-"}, late));
+  const CheckFile all = checked(folder, two_strips(strip, {"*", "-"}, late));
   for (const json& clip : all.totals["clips"]) {
     const json& worst = clip["worst"];
     const auto frame = worst["clip_frame"].get<std::uint32_t>();
     EXPECT_GT(frame, 0u);
     EXPECT_EQ(worst["frame"], clip["first_frame"].get<std::uint32_t>() + frame);
     const std::string range = std::to_string(frame) + ":" + std::to_string(frame + 1);
-    std::vector<std::string> words = two_strips(strip, {clip["clip"], "-"}, late);
+    Words words = two_strips(strip, {clip["clip"], "-"}, late);
     words.insert(words.end(), {"--frames", range});
-    EXPECT_EQ(answer_of(folder, words).totals["totals"]["contacts"], worst["contacts"]);
+    EXPECT_EQ(checked(folder, words).totals["totals"]["contacts"], worst["contacts"]);
   }
 }
 
 TEST(CheckAllClips, CoverTheChosenFrames) {
   const TestFolder folder;
   const std::string strip = write_moving_strip(folder);
-  const CheckFile some = answer_of(folder, two_strips(strip, {"*"}, {"--frames", "40:44"}));
+  const CheckFile some = checked(folder, two_strips(strip, {"*"}, {"--frames", "40:44"}));
   ASSERT_EQ(some.frames.size(), 4u);
   ASSERT_EQ(some.totals["clips"].size(), 1u);
   EXPECT_EQ(some.totals["clips"][0]["clip"], "wave");
   EXPECT_EQ(some.totals["clips"][0]["frames"], 4);
-  const Ended beyond = run_pelt(folder, two_strips(strip, {"*"}, {"--frames", "40:61"}));
-  EXPECT_EQ(beyond.exit_code, 2);
+  const Ended beyond = run_pelt(folder, 2, two_strips(strip, {"*"}, {"--frames", "40:61"}));
   EXPECT_TRUE(contains(beyond.err, "40:61 goes beyond the last frame")) << beyond.err;
 }
 
@@ -132,8 +123,8 @@ TEST(CheckAllClips, WorkLikewiseInSceneFiles) {
     "frames": {"fps": 10},
     "instances": [{"model": "strip", "clip": "*"},
                   {"model": "strip", "clip": "bend", "translation": [0.25, 0, 0.1]}]})");
-  const CheckFile models = answer_of(folder, two_strips(strip, {"*", "bend"}, {"--fps", "5"}));
-  const CheckFile scene = answer_of(folder, {"check", "scene.json", "--fps", "5"});
+  const CheckFile models = checked(folder, two_strips(strip, {"*", "bend"}, {"--fps", "5"}));
+  const CheckFile scene = checked(folder, {"check", "scene.json", "--fps", "5"});
   EXPECT_EQ(scene.frames.size(), 10u);
   EXPECT_EQ(scene.frames, models.frames);
 }
@@ -141,7 +132,7 @@ TEST(CheckAllClips, WorkLikewiseInSceneFiles) {
 TEST(CheckAllClips, AreComparedWithABaselineClipByClip) {
   const TestFolder folder;
   const std::string strip = write_moving_strip(folder);
-  const CheckFile all = answer_of(folder, two_strips(strip, {"*", "-"}));
+  const CheckFile all = checked(folder, two_strips(strip, {"*", "-"}));
   json bend = all.totals;
   std::erase_if(bend["touches"].get_ref<json::array_t&>(),
                 [](const json& touch) { return touch["clip"] == "wave"; });
@@ -157,8 +148,7 @@ TEST(CheckAllClips, AreComparedWithABaselineClipByClip) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(contains(run.out, "(new)  frame 0 of clip \"wave\"  strip 0 ")) << run.out;
   EXPECT_FALSE(contains(run.out, "of clip \"bend\"  strip 0 ")) << run.out;
-  const Ended one = run_pelt(folder, two_strips(strip, {"bend"}, {"--baseline", "all.jsonl"}));
-  EXPECT_EQ(one.exit_code, 2);
+  const Ended one = run_pelt(folder, 2, two_strips(strip, {"bend"}, {"--baseline", "all.jsonl"}));
   EXPECT_TRUE(contains(one.err, "was written with all clips of a model")) << one.err;
 }
 
@@ -170,9 +160,8 @@ TEST(CheckAllClips, AreRefusedWithARemedy) {
   GltfBuilder twice = strip_with_fan();
   twice.document["animations"][1]["name"] = "bend";
   write_bytes(folder / "twice.glb", twice.glb());
-  const auto refusal = [&](std::vector<std::string> arguments) {
-    const Ended run = run_pelt(folder, arguments);
-    EXPECT_EQ(run.exit_code, 2) << run.out;
+  const auto refusal = [&](Words arguments) {
+    const Ended run = run_pelt(folder, 2, arguments);
     EXPECT_EQ(run.out, "");
     return run.err;
   };
@@ -187,9 +176,7 @@ TEST(CheckAllClips, AreRefusedWithARemedy) {
 TEST(AllClips, AreNamedInTheLinesOfOtherQueries) {
   const TestFolder folder;
   const std::string strip = write_moving_strip(folder);
-  const Ended run = run_pelt(folder, {"bounds", strip, "--clip", "*", "--jsonl", "-"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const CheckFile file = parse_check_file(run.out);
+  const CheckFile file = answer_of(folder, 0, {"bounds", strip, "--clip", "*"});
   ASSERT_EQ(file.frames.size(), 60u);
   EXPECT_EQ(file.frames[29]["clip"], "bend");
   EXPECT_EQ(file.frames[30]["clip"], "wave");
@@ -201,11 +188,10 @@ TEST(AllClips, AreNamedInTheLinesOfOtherQueries) {
 TEST(AllClips, AreNamedInTheSummariesOfOtherQueries) {
   const TestFolder folder;
   const std::string strip = write_moving_strip(folder);
-  const auto run_of = [&](std::vector<std::string> words) {
+  const auto run_of = [&](Words words) {
     words.insert(words.begin() + 1, {strip, strip, "--clip", "*", "--at", "0,0,0", "--at", "3,0,0",
                                      "--frames", "30:60"});
-    const Ended run = run_pelt(folder, words);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Ended run = run_pelt(folder, 0, words);
     return run;
   };
   EXPECT_TRUE(contains(run_of({"distance", "--from", "0,9,0"}).out, " of clip \"wave\": "));

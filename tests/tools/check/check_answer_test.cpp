@@ -15,8 +15,7 @@ TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
   const TestFolder folder;
   const auto scene = load(write_limbs(folder));
   ASSERT_TRUE(scene) << scene.error().message;
-  const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", "a.jsonl", "--pairs"});
-  ASSERT_EQ(run.exit_code, 1) << run.err;
+  const Ended run = run_pelt(folder, 1, {"check", "scene.json", "--jsonl", "a.jsonl", "--pairs"});
   const CheckFile file = parse_check_file(read_text(folder / "a.jsonl"));
   ASSERT_EQ(file.frames.size(), 12u);
   std::uint64_t contacts = 0, frames_in_contact = 0;
@@ -43,12 +42,11 @@ TEST(CheckAnswer, EqualsBruteForceInEveryFrame) {
                                          {"contacts", contacts},
                                          {"ignored", 0}}));
   EXPECT_EQ(file.totals["hash"], hash_of(file));
-  EXPECT_NE(run.out.find(hash_of(file)), std::string::npos);
+  EXPECT_TRUE(contains(run.out, hash_of(file)));
 }
 
 TEST(CheckAnswer, HeaderHasInputsAndOptions) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const Ended run = run_pelt(folder, {"check", "scene.json", "--frames", "5:8", "--jsonl", "-"});
   const json header = parse_check_file(run.out).header;
   EXPECT_EQ(header["format"], "pelt-check");
@@ -66,16 +64,13 @@ TEST(CheckAnswer, HeaderHasInputsAndOptions) {
 }
 
 TEST(CheckAnswer, IsTheSameByEveryMethod) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   std::vector<json> frames;
   std::map<std::string, json> counters;
   for (const std::string_view name : methods::names_of(methods::kCommandMethods)) {
     const std::string method(name);
-    const Ended run =
-        run_pelt(folder, {"check", "scene.json", "--method", method, "--jsonl", "-", "--pairs"});
-    ASSERT_EQ(run.exit_code, 1) << method << run.err;
-    const CheckFile file = parse_check_file(run.out);
+    const CheckFile file =
+        answer_of(folder, 1, {"check", "scene.json", "--method", method, "--pairs"});
     EXPECT_EQ(file.header["options"]["method"], method);
     frames.push_back({file.frames, file.totals["hash"], file.totals["totals"]});
     counters[method] = file.totals["counters"];
@@ -89,24 +84,19 @@ TEST(CheckAnswer, IsTheSameByEveryMethod) {
 }
 
 TEST(CheckAnswer, TwoRunsWriteTheSameBytes) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   for (const char* name : {"a", "b"}) run_pelt(folder, {"check", "scene.json", "--jsonl", name});
   EXPECT_EQ(read_text(folder / "a"), read_text(folder / "b"));
 }
 
 TEST(CheckAnswer, LimitsCutShort) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const Ended whole = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
   const std::vector<std::pair<std::vector<std::string>, std::uint64_t>> limits = {
       {{"--first"}, 1}, {{"--max-contacts", "1"}, 1}, {{"--max-contacts", "7"}, 7}};
   for (const auto& limit : limits) {
-    std::vector<std::string> arguments = {"check", "scene.json", "--jsonl", "-"};
-    arguments.insert(arguments.end(), limit.first.begin(), limit.first.end());
-    const Ended run = run_pelt(folder, arguments);
-    ASSERT_EQ(run.exit_code, 1) << run.err;
-    const CheckFile file = parse_check_file(run.out), all = parse_check_file(whole.out);
+    const CheckFile file = answer_of(folder, 1, joined({"check", "scene.json"}, limit.first)),
+                    all = parse_check_file(whole.out);
     EXPECT_EQ(file.totals["hash"], json());
     EXPECT_EQ(file.totals["cut_short"], true);
     EXPECT_EQ(file.header["options"]["max_contacts"], limit.second);
@@ -118,13 +108,11 @@ TEST(CheckAnswer, LimitsCutShort) {
 }
 
 TEST(CheckAnswer, ByPartTestsPartsOfOneInstance) {
-  const TestFolder folder;
-  const std::string strip = write_strip(folder, "strip.glb");
-  const Ended run =
-      run_pelt(folder, {"check", strip, strip, "--at", "0,0,0", "--at", "0.25,0.1,0.05", "--clip",
-                        "bend", "--fps", "4", "--by", "part", "--jsonl", "-", "--pairs"});
-  ASSERT_EQ(run.exit_code, 1) << run.err;
-  const CheckFile file = parse_check_file(run.out);
+  const StripFolder folder;
+  const std::string strip = folder / "strip.glb";
+  const CheckFile file = answer_of(folder, 1,
+                                   {"check", strip, strip, "--at", "0,0,0", "--at", "0.25,0.1,0.05",
+                                    "--clip", "bend", "--fps", "4", "--by", "part", "--pairs"});
   EXPECT_EQ(file.header["instances"], json::parse(R"([
     {"index": 0, "model": "strip", "triangles": 6, "instance": 0, "part": "paper", "first_triangle": 0},
     {"index": 1, "model": "strip", "triangles": 2, "instance": 0, "part": "fan", "first_triangle": 6},

@@ -8,29 +8,19 @@
 namespace pelt::test {
 namespace {
 
-/// The answer for the limbs' scene, with the triangles.
-CheckFile check_limbs(const TestFolder& folder, std::vector<std::string> options, int exit_code) {
-  std::vector<std::string> arguments = {"check", "scene.json", "--jsonl", "-", "--pairs"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  const Ended run = run_pelt(folder, arguments);
-  EXPECT_EQ(run.exit_code, exit_code) << run.err;
-  return parse_check_file(run.out);
-}
-
 std::uint64_t contacts_of(const CheckFile& file) { return file.totals["totals"]["contacts"]; }
 
 /// Moves one limb of the scene closer: places that touched then have more contacts.
 void move_limb(const TestFolder& folder) {
   std::string text = read_text(folder / "scene.json");
   const std::string place = "[0.5, 0, 0.03]";
-  ASSERT_NE(text.find(place), std::string::npos);
+  ASSERT_TRUE(contains(text, place));
   write_text(folder / "scene.json", text.replace(text.find(place), place.size(), "[0.5, 0, 0.0]"));
 }
 
 TEST(CheckTouches, AddUpToAllContacts) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const CheckFile file = check_limbs(folder, {}, 1);
+  const LimbsFolder folder;
+  const CheckFile file = check_pairs(folder, 1, {"scene.json"});
   std::uint64_t contacts = 0;
   for (const json& touch : file.totals["touches"]) {
     contacts += touch["contacts"].get<std::uint64_t>();
@@ -45,10 +35,9 @@ TEST(CheckTouches, AddUpToAllContacts) {
 }
 
 TEST(CheckBaseline, OfTheSameSceneFindsNothingWorse) {
-  const TestFolder folder;
-  write_limbs(folder);
-  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
-  const CheckFile file = check_limbs(folder, {"--baseline", "known.jsonl"}, 0);
+  const LimbsFolder folder;
+  run_pelt(folder, 1, {"check", "scene.json", "--jsonl", "known.jsonl"});
+  const CheckFile file = check_pairs(folder, 0, {"scene.json", "--baseline", "known.jsonl"});
   const json none = json::array();
   EXPECT_EQ(file.totals["verdict"], json({{"fail_on", "grown"},
                                           {"failed", false},
@@ -63,11 +52,10 @@ TEST(CheckBaseline, OfTheSameSceneFindsNothingWorse) {
 }
 
 TEST(CheckBaseline, ReportsWhatIsNewAndWhatHasGrown) {
-  const TestFolder folder;
-  write_limbs(folder);
-  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
+  const LimbsFolder folder;
+  run_pelt(folder, 1, {"check", "scene.json", "--jsonl", "known.jsonl"});
   move_limb(folder);
-  const CheckFile file = check_limbs(folder, {"--baseline", "known.jsonl"}, 1);
+  const CheckFile file = check_pairs(folder, 1, {"scene.json", "--baseline", "known.jsonl"});
   const CheckFile known = parse_check_file(read_text(folder / "known.jsonl"));
   const json worse = file.totals["verdict"]["worse"];
   std::size_t expected = 0;
@@ -88,23 +76,17 @@ TEST(CheckBaseline, ReportsWhatIsNewAndWhatHasGrown) {
 }
 
 TEST(CheckBaseline, SaysInWordsWhatIsWorse) {
-  const TestFolder folder;
-  write_limbs(folder);
-  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--jsonl", "known.jsonl"})
-                .exit_code,
-            0);
-  const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find(" new, 0 grown, 0 as known\n"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("(new)  frame "), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("note       frames was [0,1,1] in the baseline and is [0,12,1] now"),
-            std::string::npos)
-      << run.out;
+  const LimbsFolder folder;
+  run_pelt(folder, 0, {"check", "scene.json", "--frames", "0:1", "--jsonl", "known.jsonl"});
+  const Ended run = run_pelt(folder, 1, {"check", "scene.json", "--baseline", "known.jsonl"});
+  EXPECT_TRUE(contains(run.out, " new, 0 grown, 0 as known\n"));
+  EXPECT_TRUE(contains(run.out, "(new)  frame "));
+  EXPECT_TRUE(
+      contains(run.out, "note       frames was [0,1,1] in the baseline and is [0,12,1] now"));
 }
 
 TEST(CheckBaseline, SaysHowManyMoreThereAreThanItLists) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--jsonl", "known.jsonl"});
   json scene = json::parse(read_text(folder / "scene.json"));
   for (const double x : {-0.2, 0.0, 0.2}) {
@@ -112,61 +94,53 @@ TEST(CheckBaseline, SaysHowManyMoreThereAreThanItLists) {
     scene["instances"].back()["translation"] = {x, 0, 0.05};
   }
   write_text(folder / "scene.json", scene.dump());
-  const CheckFile all = check_limbs(folder, {"--baseline", "known.jsonl"}, 1);
+  const CheckFile all = check_pairs(folder, 1, {"scene.json", "--baseline", "known.jsonl"});
   const std::size_t worse = all.totals["verdict"]["worse"].size();
   ASSERT_GT(worse, 10u);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
   const std::size_t joints = all.totals["touches"].size();  // a limb has one part
   for (const std::size_t listed : {joints, worse})
-    EXPECT_NE(run.out.find("... and " + std::to_string(listed - 10) + " more: --list " +
-                           std::to_string(listed) + "\n"),
-              std::string::npos)
-        << run.out;
+    EXPECT_TRUE(contains(run.out, "... and " + std::to_string(listed - 10) + " more: --list " +
+                                      std::to_string(listed) + "\n"));
 }
 
 TEST(CheckBaseline, ReportsWhatIsGone) {
-  const TestFolder folder;
-  write_limbs(folder);
-  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
+  const LimbsFolder folder;
+  run_pelt(folder, 1, {"check", "scene.json", "--jsonl", "known.jsonl"});
   const std::size_t known =
       parse_check_file(read_text(folder / "known.jsonl")).totals["touches"].size();
   const std::string count = std::to_string(known);
   const Ended fewer =
-      run_pelt(folder, {"check", "scene.json", "--frames", "0:1", "--baseline", "known.jsonl"});
-  EXPECT_EQ(fewer.exit_code, 0);
-  EXPECT_NE(fewer.out.find("gone       " + count + " of " + count + " known touches\n"),
-            std::string::npos)
-      << fewer.out;
+      run_pelt(folder, 0, {"check", "scene.json", "--frames", "0:1", "--baseline", "known.jsonl"});
+  EXPECT_TRUE(contains(fewer.out, "gone       " + count + " of " + count + " known touches\n"));
   std::string text = read_text(folder / "scene.json");
   text.replace(text.find("[0.5, 0, 0.03]"), 14, "[9.5, 0, 0.03]");
   write_text(folder / "scene.json", text);
-  const CheckFile apart = check_limbs(folder, {"--baseline", "known.jsonl"}, 0);
+  const CheckFile apart = check_pairs(folder, 0, {"scene.json", "--baseline", "known.jsonl"});
   const json gone = apart.totals["verdict"]["gone"];
   ASSERT_EQ(gone.size(), known);
   EXPECT_EQ(gone[0]["a"]["model"], "one");
   EXPECT_GT(gone[0]["known"], 0);
   const Ended run = run_pelt(folder, {"check", "scene.json", "--baseline", "known.jsonl"});
-  EXPECT_NE(run.out.find(count + " known touches: write a new baseline\n"), std::string::npos)
-      << run.out;
+  EXPECT_TRUE(contains(run.out, count + " known touches: write a new baseline\n"));
 }
 
 TEST(CheckFailOn, DecidesTheExitCode) {
-  const TestFolder folder;
-  write_limbs(folder);
-  check_limbs(folder, {"--fail-on", "never"}, 0);
-  check_limbs(folder, {"--fail-on", "contact"}, 1);
-  ASSERT_EQ(run_pelt(folder, {"check", "scene.json", "--jsonl", "known.jsonl"}).exit_code, 1);
-  check_limbs(folder, {"--baseline", "known.jsonl", "--fail-on", "contact"}, 1);
-  check_limbs(folder, {"--baseline", "known.jsonl", "--fail-on", "new"}, 0);
+  const LimbsFolder folder;
+  check_pairs(folder, 0, {"scene.json", "--fail-on", "never"});
+  check_pairs(folder, 1, {"scene.json", "--fail-on", "contact"});
+  run_pelt(folder, 1, {"check", "scene.json", "--jsonl", "known.jsonl"});
+  check_pairs(folder, 1, {"scene.json", "--baseline", "known.jsonl", "--fail-on", "contact"});
+  check_pairs(folder, 0, {"scene.json", "--baseline", "known.jsonl", "--fail-on", "new"});
 }
 
 TEST(CheckIgnore, LeavesOutWhatItNamesAndNothingElse) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const CheckFile all = check_limbs(folder, {}, 1);
+  const LimbsFolder folder;
+  const CheckFile all = check_pairs(folder, 1, {"scene.json"});
   const json touch = all.totals["touches"][0];
   const std::string a = touch["a"]["joint"], b = touch["b"]["joint"];
-  const CheckFile file = check_limbs(folder, {"--ignore", "one/" + a + "," + "two/" + b}, 1);
+  const CheckFile file =
+      check_pairs(folder, 1, {"scene.json", "--ignore", "one/" + a + "," + "two/" + b});
   EXPECT_EQ(contacts_of(file) + touch["contacts"].get<std::uint64_t>(), contacts_of(all));
   EXPECT_EQ(file.totals["totals"]["ignored"], touch["contacts"]);
   json others = all.totals["touches"];
@@ -176,12 +150,11 @@ TEST(CheckIgnore, LeavesOutWhatItNamesAndNothingElse) {
 }
 
 TEST(CheckIgnore, IsInTheSceneFileToo) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   std::string text = read_text(folder / "scene.json");
   text.insert(text.rfind('}'), R"(, "ignore": [["joint*", "two/*"]])");
   write_text(folder / "scene.json", text);
-  const CheckFile file = check_limbs(folder, {}, 0);
+  const CheckFile file = check_pairs(folder, 0, {"scene.json"});
   EXPECT_EQ(contacts_of(file), 0u);
   EXPECT_GT(file.totals["totals"]["ignored"], 100u);
   EXPECT_EQ(file.header["options"]["ignore"], json::parse(R"([["joint*", "two/*"]])"));

@@ -101,10 +101,9 @@ TEST_P(BetweenBruteForce, FindsTheSame) {
   const auto fine = scenes::load_scene(write_passing(
       folder, "fine.json", static_cast<int>(6 * substeps), static_cast<int>(3 * substeps)));
   ASSERT_TRUE(fine) << fine.error().message;
-  const Ended run = run_pelt(folder, {"check", "scene.json", "--between", "--substeps",
-                                      std::to_string(substeps), "--pairs", "--jsonl", "-"});
-  ASSERT_EQ(run.exit_code, 1) << run.err;
-  CheckFile file = parse_check_file(run.out);
+  CheckFile file = answer_of(
+      folder, 1,
+      {"check", "scene.json", "--between", "--substeps", std::to_string(substeps), "--pairs"});
   const std::vector<json> lines = take_steps(file);
   ASSERT_EQ(file.frames.size(), 6u);
   std::size_t line = 0, between = 0, at_ends = 0;
@@ -164,9 +163,9 @@ TEST(CheckBetween, LeavesTheAnswerOfTheFramesAsItIs) {
 TEST(CheckBetween, FailsOnWhatNoFrameShows) {
   const TestFolder folder;
   write_passing(folder, "scene.json", 3, 1);
-  const auto exit_code = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"check", "scene.json", "--frames", "0:3:2"});
-    return run_pelt(folder, options).exit_code;
+  const auto exit_code = [&](const Words& options) {
+    return run_pelt(folder, joined({"check", "scene.json", "--frames", "0:3:2"}, options))
+        .exit_code;
   };
   EXPECT_EQ(exit_code({}), 0);
   EXPECT_EQ(exit_code({"--between"}), 1);
@@ -178,18 +177,17 @@ TEST(CheckBetween, FailsOnWhatNoFrameShows) {
 TEST(CheckBetween, ComparesWithTheTouchesBetweenFramesOfABaseline) {
   const TestFolder folder;
   write_passing(folder, "scene.json", 6, 3);
-  const auto check = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"check", "scene.json"});
-    return run_pelt(folder, options);
+  const auto check = [&](const Words& options) {
+    return run_pelt(folder, joined({"check", "scene.json"}, options));
   };
   check({"--between", "--jsonl", "known.jsonl"});
   check({"--jsonl", "plain.jsonl"});
   const Ended same = check({"--between", "--baseline", "known.jsonl"});
   EXPECT_EQ(same.exit_code, 0) << same.out;
-  EXPECT_NE(same.out.find("as known between frames"), std::string::npos) << same.out;
+  EXPECT_TRUE(contains(same.out, "as known between frames"));
   const Ended plain = check({"--between", "--baseline", "plain.jsonl"});
   EXPECT_EQ(plain.exit_code, 2);
-  EXPECT_NE(plain.err.find("was written without --between"), std::string::npos) << plain.err;
+  EXPECT_TRUE(contains(plain.err, "was written without --between"));
   // The baseline of few frames lacks touches of the others.
   check({"--between", "--frames", "0:3", "--jsonl", "few.jsonl"});
   const Ended more = check({"--between", "--baseline", "few.jsonl", "--jsonl", "-"});
@@ -204,11 +202,8 @@ TEST(CheckBetween, LeavesOutIgnoredPairs) {
   const TestFolder folder;
   write_passing(folder, "scene.json", 6, 3);
   const Ended run =
-      run_pelt(folder, {"check", "scene.json", "--between", "--ignore", "one/*,two/*"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("between    no pair touches between frames only, in 5 steps"),
-            std::string::npos)
-      << run.out;
+      run_pelt(folder, 0, {"check", "scene.json", "--between", "--ignore", "one/*,two/*"});
+  EXPECT_TRUE(contains(run.out, "between    no pair touches between frames only, in 5 steps"));
 }
 
 TEST(CheckBetween, MeasuresHowTheDeviationFalls) {
@@ -221,12 +216,11 @@ TEST(CheckBetween, MeasuresHowTheDeviationFalls) {
   EXPECT_EQ(deviation["substeps"][2]["substeps"], 4);
   EXPECT_LT(deviation["substeps"][2]["distance"].get<double>(),
             deviation["distance"].get<double>() / 2);
-  EXPECT_NE(run.err.find("straight   vertices deviate at most "), std::string::npos) << run.err;
+  EXPECT_TRUE(contains(run.err, "straight   vertices deviate at most "));
 }
 
 TEST(CheckBetween, TestsNoStepFromOneClipToAnother) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const Ended run = run_pelt(folder, {"check", "strip.glb", "--clip", "*", "--by", "part",
                                       "--between", "--fps", "4", "--jsonl", "-"});
   const json totals = parse_check_file(run.out).totals;
@@ -237,26 +231,24 @@ TEST(CheckBetween, TestsNoStepFromOneClipToAnother) {
 TEST(CheckBetween, RefusesWhatItCannotTest) {
   const TestFolder folder;
   write_passing(folder, "scene.json", 6, 3);
-  const auto refusal = [&](std::vector<std::string> options) {
-    options.insert(options.begin(), {"check", "scene.json"});
-    const Ended run = run_pelt(folder, options);
-    EXPECT_EQ(run.exit_code, 2);
+  const auto refusal = [&](const Words& options) {
+    const Ended run = run_pelt(folder, 2, joined({"check", "scene.json"}, options));
     return run.err;
   };
-  const auto refused_with = [&](std::vector<std::string> options) {
+  const auto refused_with = [&](Words options) {
     options.push_back("--between");
     const std::string message = refusal(options);
-    EXPECT_NE(message.find("cannot be combined with"), std::string::npos) << message;
+    EXPECT_TRUE(contains(message, "cannot be combined with"));
   };
   refused_with({"--first"});
   refused_with({"--max-contacts", "3"});
   refused_with({"--clearance", "0.1"});
   refused_with({"--method", "brute"});
   refused_with({"--budget", "100"});
-  EXPECT_NE(refusal({"--substeps", "2"}).find("requires --between"), std::string::npos);
-  EXPECT_NE(run_pelt(folder, {"check", "one.glb", "--clip", "sway", "--self", "no", "--between"})
-                .err.find("nothing was compared"),
-            std::string::npos);
+  EXPECT_TRUE(contains(refusal({"--substeps", "2"}), "requires --between"));
+  EXPECT_TRUE(contains(
+      run_pelt(folder, {"check", "one.glb", "--clip", "sway", "--self", "no", "--between"}).err,
+      "nothing was compared"));
 }
 
 }  // namespace

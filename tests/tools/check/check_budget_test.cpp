@@ -8,15 +8,12 @@
 namespace pelt::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
 class CheckBudget : public ::testing::Test {
  protected:
   void SetUp() override { write_limbs(folder_); }
 
-  Ended check(Words options) {
-    options.insert(options.begin(), {"check", "scene.json", "--jsonl", "answer.jsonl"});
-    return run_pelt(folder_, options);
+  Ended check(const Words& options) {
+    return run_pelt(folder_, joined({"check", "scene.json", "--jsonl", "answer.jsonl"}, options));
   }
 
   CheckFile answer() { return parse_check_file(read_text(folder_ / "answer.jsonl")); }
@@ -24,7 +21,7 @@ class CheckBudget : public ::testing::Test {
   void expect_refused(const Words& options, const std::string& message) {
     const Ended run = check(options);
     EXPECT_EQ(run.exit_code, 2);
-    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+    EXPECT_TRUE(contains(run.err, message));
   }
 
   TestFolder folder_;
@@ -35,9 +32,7 @@ TEST_F(CheckBudget, ALargeBudgetGivesTheWholeAnswer) {
   const CheckFile expected = answer();
   const Ended run = check({"--budget", "4000000000"});
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find("unknown    nothing: the budget sufficed for all frames\n"),
-            std::string::npos)
-      << run.out;
+  EXPECT_TRUE(contains(run.out, "unknown    nothing: the budget sufficed for all frames\n"));
   const CheckFile found = answer();
   EXPECT_EQ(found.totals["hash"], expected.totals["hash"]);
   EXPECT_EQ(found.totals["totals"]["contacts"], expected.totals["totals"]["contacts"]);
@@ -56,7 +51,7 @@ TEST_F(CheckBudget, ASmallBudgetSaysWhatIsUndecided) {
   EXPECT_GT(unknown["resolution"], 0);
   EXPECT_EQ(found.totals["hash"], nullptr);
   EXPECT_LT(found.totals["totals"]["contacts"], expected.totals["totals"]["contacts"]);
-  EXPECT_NE(run.out.find("frames: at most "), std::string::npos) << run.out;
+  EXPECT_TRUE(contains(run.out, "frames: at most "));
   ASSERT_EQ(found.frames.size(), expected.frames.size());
   int undecided = 0;
   for (std::size_t i = 0; i < found.frames.size(); ++i) {

@@ -6,12 +6,8 @@
 namespace pelt::test {
 namespace {
 
-CheckFile described(const TestFolder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "check");
-  arguments.insert(arguments.end(), {"--contacts", "--pairs", "--jsonl", "-"});
-  const Ended run = run_pelt(folder, arguments);
-  EXPECT_EQ(run.exit_code, 1) << run.err;
-  return parse_check_file(run.out);
+CheckFile described(const TestFolder& folder, const Words& words) {
+  return check_pairs(folder, 1, joined(words, {"--contacts"}));
 }
 
 std::vector<json> pairs_of(const CheckFile& file) {
@@ -22,8 +18,7 @@ std::vector<json> pairs_of(const CheckFile& file) {
 }
 
 TEST(CheckContacts, HasATraceForEachContact) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile file = described(folder, {"scene.json"});
   EXPECT_EQ(file.header["options"]["contacts"], true);
   const std::vector<json> pairs = pairs_of(file);
@@ -40,8 +35,7 @@ TEST(CheckContacts, HasATraceForEachContact) {
 }
 
 TEST(CheckContacts, ChainsSegmentsToCurves) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   std::size_t closed = 0;
   for (const json& pair : pairs_of(described(folder, {"scene.json"}))) {
     std::size_t segments = 0, steps = 0;
@@ -66,8 +60,7 @@ TEST(CheckContacts, ChainsSegmentsToCurves) {
 }
 
 TEST(CheckContacts, GathersAllContactsToPatches) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   std::size_t patches = 0;
   for (const json& pair : pairs_of(described(folder, {"scene.json"}))) {
     std::vector<std::size_t> members;
@@ -91,15 +84,13 @@ TEST(CheckContacts, GathersAllContactsToPatches) {
 }
 
 TEST(CheckContacts, DoesNotDependOnTheMethod) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const auto crowd = pairs_of(described(folder, {"scene.json"}));
   EXPECT_EQ(pairs_of(described(folder, {"scene.json", "--method", "eager"})), crowd);
 }
 
 TEST(CheckContacts, PartsKeepTheNumbersOfTheModel) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const std::vector<json> pairs = pairs_of(described(folder, {"strip.glb", "--by", "part"}));
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0]["traces"][0]["triangles"], pairs[0]["triangles"][0]);
@@ -107,13 +98,12 @@ TEST(CheckContacts, PartsKeepTheNumbersOfTheModel) {
 }
 
 TEST(CheckContacts, AreWrittenOnlyOnRequest) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", "-"});
   const std::vector<json> pairs = pairs_of(parse_check_file(run.out));
   ASSERT_GE(pairs.size(), 1u);
   for (const char* key : {"traces", "curves", "patches"}) EXPECT_FALSE(pairs[0].contains(key));
-  EXPECT_EQ(run.err.find("longest patches"), std::string::npos);
+  EXPECT_FALSE(contains(run.err, "longest patches"));
 }
 
 /// The lengths of the rows of a list.
@@ -127,12 +117,11 @@ std::vector<double> numbers_of_list(const std::string& words, const std::string&
 }
 
 TEST(CheckContacts, SummaryNamesTheJointsOfTheLongestPatches) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const Ended run =
       run_pelt(folder, {"check", "scene.json", "--contacts", "--jsonl", "answer.jsonl"});
   for (const char* words : {"patches    ", "longest patches", "one 0 joint ", "two 1 joint "})
-    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+    EXPECT_TRUE(contains(run.out, words));
   double longest = 0;
   for (const json& pair : pairs_of(parse_check_file(read_text(folder / "answer.jsonl"))))
     for (const json& patch : pair["patches"])

@@ -17,15 +17,11 @@ constexpr const char* kLeaving = R"({
 })";
 
 TEST(CheckInside, ReportsContainedBodiesAndDepths) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_text(folder / "leaving.json", kLeaving);
-  const Ended run = run_pelt(folder, {"check", "leaving.json", "--inside", "--jsonl", "-"});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("inside     a body is contained in another in frames 0"),
-            std::string::npos)
-      << run.err;
-  EXPECT_NE(run.err.find("deepest    a vertex of two 1 is 0."), std::string::npos) << run.err;
+  const Ended run = run_pelt(folder, 1, {"check", "leaving.json", "--inside", "--jsonl", "-"});
+  EXPECT_TRUE(contains(run.err, "inside     a body is contained in another in frames 0"));
+  EXPECT_TRUE(contains(run.err, "deepest    a vertex of two 1 is 0."));
   const CheckFile file = parse_check_file(run.out);
   EXPECT_EQ(file.header["options"]["inside"], true);
   const json& held = file.frames[0]["inside"][0];
@@ -51,39 +47,28 @@ TEST(CheckInside, ReportsContainedBodiesAndDepths) {
 }
 
 TEST(CheckInside, SaysThatASingleBodyHasNothingToBeInside) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const Ended run = run_pelt(folder, {"check", "one.glb", "--inside"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("inside     not tested: --inside compares different instances"),
-            std::string::npos)
-      << run.out;
+  const LimbsFolder folder;
+  const Ended run = run_pelt(folder, 0, {"check", "one.glb", "--inside"});
+  EXPECT_TRUE(contains(run.out, "inside     not tested: --inside compares different instances"));
 }
 
 TEST(CheckInside, HasTheExitCodeOfContactWhereNothingTouches) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_text(folder / "leaving.json", kLeaving);
-  EXPECT_EQ(run_pelt(folder, {"check", "leaving.json", "--frames", "0:1"}).exit_code, 0);
-  EXPECT_EQ(run_pelt(folder, {"check", "leaving.json", "--frames", "0:1", "--inside"}).exit_code,
-            1);
+  run_pelt(folder, 0, {"check", "leaving.json", "--frames", "0:1"});
+  run_pelt(folder, 1, {"check", "leaving.json", "--frames", "0:1", "--inside"});
 }
 
 /// The answer for the first frame of kLeaving, in which one limb contains the other.
-CheckFile check_held(const TestFolder& folder, std::vector<std::string> options, int exit_code) {
-  std::vector<std::string> arguments = {"check",    "leaving.json", "--frames", "0:1",
-                                        "--inside", "--jsonl",      "-"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  const Ended run = run_pelt(folder, arguments);
-  EXPECT_EQ(run.exit_code, exit_code) << run.err;
-  CheckFile file = parse_check_file(run.out);
+CheckFile check_held(const TestFolder& folder, Words options, int exit_code) {
+  CheckFile file = answer_of(
+      folder, exit_code, joined({"check", "leaving.json", "--frames", "0:1", "--inside"}, options));
   EXPECT_EQ(file.totals["verdict"]["failed"], exit_code == 1);
   return file;
 }
 
 TEST(CheckInside, IsPartOfTheVerdict) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_text(folder / "leaving.json", kLeaving);
   const CheckFile file = check_held(folder, {}, 1);
   EXPECT_EQ(file.totals["held"],
@@ -95,8 +80,7 @@ TEST(CheckInside, IsPartOfTheVerdict) {
 }
 
 TEST(CheckInside, MayBeInTheBaseline) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_text(folder / "leaving.json", kLeaving);
   write_text(folder / "known.jsonl",
              run_pelt(folder, {"check", "leaving.json", "--inside", "--jsonl", "-"}).out);
@@ -116,13 +100,11 @@ TEST(CheckInside, MayBeInTheBaseline) {
   EXPECT_EQ(parse_check_file(left.out).totals["verdict"]["no_longer_held"],
             json::parse(R"([{"inner": {"model": "two", "copy": 0},
                              "outer": {"model": "one", "copy": 0}}])"));
-  EXPECT_NE(left.err.find(" known touches, and 1 known contained bod"), std::string::npos)
-      << left.err;
+  EXPECT_TRUE(contains(left.err, " known touches, and 1 known contained bod"));
 }
 
 TEST(CheckInside, IsIgnoredWhereBothBodiesAreNamedWhole) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_text(folder / "leaving.json", kLeaving);
   const CheckFile file = check_held(folder, {"--ignore", "one/*,two/*"}, 0);
   EXPECT_EQ(file.totals["held"], json::array());
@@ -133,11 +115,10 @@ TEST(CheckInside, IsIgnoredWhereBothBodiesAreNamedWhole) {
 }
 
 TEST(CheckInside, SaysWhereNothingIsClosed) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const Ended run = run_pelt(folder, {"check", "strip.glb", "strip.glb", "--inside", "--at",
                                       "0,0,0", "--at", "9,0,0", "--frames", "0:1"});
-  EXPECT_NE(run.out.find("no surface is closed"), std::string::npos) << run.out << run.err;
+  EXPECT_TRUE(contains(run.out, "no surface is closed"));
 }
 
 }  // namespace

@@ -6,11 +6,8 @@
 namespace pelt::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
-Ended check_limbs_with(const TestFolder& folder, Words words) {
-  words.insert(words.begin(), {"check", "scene.json"});
-  return run_pelt(folder, words);
+Ended check_limbs_with(const TestFolder& folder, const Words& words) {
+  return run_pelt(folder, joined({"check", "scene.json"}, words));
 }
 
 /// Writes known.jsonl, an answer for the limbs in which one touch is missing, one touch is
@@ -36,8 +33,7 @@ void write_worse_baseline(const TestFolder& folder) {
 }
 
 TEST(CheckLists, GiveWhatIsNewFirst) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_worse_baseline(folder);
   const Ended run = check_limbs_with(
       folder, {"--baseline", "known.jsonl", "--fail-on", "new", "--jsonl", "answer.jsonl"});
@@ -68,39 +64,35 @@ std::size_t count_of(const std::string& words, const std::string& text) {
 }
 
 TEST(CheckLists, AreAsLongAsTheOptionSays) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const auto rows = [&](const Words& options) {
     const std::string words = check_limbs_with(folder, options).out;
     return std::pair(count_of(words, ", worst frame "), words);
   };
   const auto [all, words_of_all] = rows({});
   ASSERT_GT(all, 3u);
-  EXPECT_EQ(words_of_all.find("more: --list"), std::string::npos) << words_of_all;
+  EXPECT_FALSE(contains(words_of_all, "more: --list"));
   const auto [two, words_of_two] = rows({"--list", "2"});
   EXPECT_EQ(two, 2u) << words_of_two;
   const std::string as_long = std::to_string(all);
-  EXPECT_NE(words_of_two.find("... and " + std::to_string(all - 2) + " more: --list " + as_long),
-            std::string::npos)
-      << words_of_two;
+  EXPECT_TRUE(
+      contains(words_of_two, "... and " + std::to_string(all - 2) + " more: --list " + as_long));
   EXPECT_EQ(rows({"--list", as_long}).first, all);
 }
 
 TEST(CheckLists, DoNotCallGoneWhatIsLeftOut) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const auto compare = [&](const Words& options) {
-    Words words = {"check",      "strip.glb",  "strip.glb",   "--at",    "0,0,0",       "--at",
-                   "0.25,0,0.1", "--baseline", "known.jsonl", "--jsonl", "answer.jsonl"};
-    words.insert(words.end(), options.begin(), options.end());
-    const Ended run = run_pelt(folder, words);
+    const Ended run = run_pelt(
+        folder, joined({"check", "strip.glb", "strip.glb", "--at", "0,0,0", "--at", "0.25,0,0.1",
+                        "--baseline", "known.jsonl", "--jsonl", "answer.jsonl"},
+                       options));
     EXPECT_LT(run.exit_code, 2) << run.err;
     return std::pair(run.out, parse_check_file(read_text(folder / "answer.jsonl")).totals);
   };
-  ASSERT_EQ(run_pelt(folder, {"check", "strip.glb", "strip.glb", "--at", "0,0,0", "--at",
-                              "0.25,0,0.1", "--jsonl", "known.jsonl"})
-                .exit_code,
-            1);
+  run_pelt(folder, 1,
+           {"check", "strip.glb", "strip.glb", "--at", "0,0,0", "--at", "0.25,0,0.1", "--jsonl",
+            "known.jsonl"});
   const json all = compare({}).second["verdict"];
   EXPECT_EQ(all["gone"], json::array());
   EXPECT_EQ(all["left_out"], json::array());
@@ -111,16 +103,15 @@ TEST(CheckLists, DoNotCallGoneWhatIsLeftOut) {
     ASSERT_FALSE(verdict["left_out"].empty());
     for (const json& touch : verdict["left_out"])
       EXPECT_TRUE(touch["a"]["part"] == "fan" || touch["b"]["part"] == "fan") << touch;
-    EXPECT_NE(words.find("left out"), std::string::npos) << words;
-    EXPECT_EQ(words.find("gone"), std::string::npos) << words;
+    EXPECT_TRUE(contains(words, "left out"));
+    EXPECT_FALSE(contains(words, "gone"));
   }
 }
 
 TEST(CheckLists, CallGoneWhatTheFileHasNoLonger) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const Words first = {"check", "strip.glb", "--by", "part", "--jsonl", "known.jsonl"};
-  ASSERT_EQ(run_pelt(folder, first).exit_code, 1);
+  run_pelt(folder, 1, first);
   GltfBuilder strip = strip_with_fan();
   for (json& node : strip.document["nodes"]) {
     if (node["name"] == "fan") node["name"] = "sail";

@@ -67,19 +67,18 @@ double distance_from_elbow(std::uint32_t triangle) {
 TEST(CheckSelfNearJoints, DropTheCreaseOfABentElbow) {
   const TestFolder folder;
   write_bytes(folder / "arm.glb", build_arm().glb());
-  const CommandWords bend = {"arm.glb", "--clip", "bend", "--frames", "0:31"};
-  const CheckFile file = check_self(folder, bend, 0);
+  const Words bend = {"arm.glb", "--clip", "bend", "--frames", "0:31"};
+  const CheckFile file = check_pairs(folder, 0, bend);
   EXPECT_GT(file.totals["totals"]["left_out"]["near_joints"], 10u);
-  check_self(folder, self_words(bend, {"--self-near-joints", "keep"}), 1);
+  check_pairs(folder, 1, joined(bend, {"--self-near-joints", "keep"}));
 }
 
 TEST(CheckSelfNearJoints, KeepContactsFarFromTheElbow) {
   const TestFolder folder;
   write_bytes(folder / "arm.glb", build_arm().glb());
   for (const char* by : {"instance", "part"}) {
-    const CommandWords fold = {"arm.glb", "--clip", "fold", "--frames",
-                               "20:31",   "--self", "--by", by};
-    const CheckFile file = check_self(folder, fold, 1);
+    const Words fold = {"arm.glb", "--clip", "fold", "--frames", "20:31", "--self", "--by", by};
+    const CheckFile file = check_pairs(folder, 1, fold);
     EXPECT_GT(file.totals["totals"]["left_out"]["near_joints"], 10u);
     std::size_t contacts = 0;
     for (const json& line : file.frames)

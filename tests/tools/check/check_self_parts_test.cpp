@@ -12,12 +12,11 @@ namespace pelt::test {
 namespace {
 
 TEST(CheckSelfOfParts, IsBesideTheirPairs) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
-  const CommandWords strip = {"strip.glb", "--clip", "bend", "--by", "part", "--frames", "0:30:4"};
-  const CheckFile pairs = check_self(folder, strip, 1);
-  const CheckFile both = check_self(
-      folder, self_words(strip, self_words({"--self", "--self-rings", "0"}, kKeepAll)), 1);
+  const StripFolder folder;
+  const Words strip = {"strip.glb", "--clip", "bend", "--by", "part", "--frames", "0:30:4"};
+  const CheckFile pairs = check_pairs(folder, 1, strip);
+  const CheckFile both =
+      check_pairs(folder, 1, joined(strip, joined({"--self", "--self-rings", "0"}, kKeepAll)));
   EXPECT_EQ(pairs.header["options"]["self"], json());
   EXPECT_EQ(both.totals["verdict"]["pairs_compared"], 3);
   for (std::size_t f = 0; f < 8; ++f)
@@ -71,15 +70,15 @@ struct DroppedPairs {
 TEST(CheckSelfOfParts, FiltersServeTwoPartsOfOneCharacter) {
   const TestFolder folder;
   write_dressed_curl(folder);
-  const CommandWords dressed = {"dressed.glb", "--by", "part", "--self", "--self-rings", "0"};
-  const CommandWords moving = self_words(dressed, {"--clip", "sway", "--frames", "0:30:3"});
-  const CheckFile all = check_self(folder, self_words(moving, kKeepAll), 1);
-  const CheckFile rest = check_self(folder, self_words(dressed, kKeepAll), 1);
+  const Words dressed = {"dressed.glb", "--by", "part", "--self", "--self-rings", "0"};
+  const Words moving = joined(dressed, {"--clip", "sway", "--frames", "0:30:3"});
+  const CheckFile all = check_pairs(folder, 1, joined(moving, kKeepAll));
+  const CheckFile rest = check_pairs(folder, 1, joined(dressed, kKeepAll));
   const DroppedPairs dropped(rest.frames[0], all.frames, 0.9);
-  const auto expect_without = [&](const CommandWords& options, const char* filter,
+  const auto expect_without = [&](const Words& options, const char* filter,
                                   const std::set<TrianglePair>& out) {
     const CheckFile file =
-        check_self(folder, self_words(moving, self_words({"--fail-on", "never"}, options)), 0);
+        check_pairs(folder, 0, joined(moving, joined({"--fail-on", "never"}, options)));
     std::size_t kept = 0, left_out = 0;
     for (std::size_t f = 0; f < all.frames.size(); ++f) {
       std::set<TrianglePair> expected;
@@ -96,15 +95,14 @@ TEST(CheckSelfOfParts, FiltersServeTwoPartsOfOneCharacter) {
     EXPECT_EQ(file.totals["totals"]["left_out"][filter], left_out);
   };
   expect_without({"--self-near-joints", "keep"}, "at_rest", dropped.at_rest);
-  expect_without(self_words(kKeepAll, {"--self-always", "0.9"}), "always", dropped.always);
+  expect_without(joined(kKeepAll, {"--self-always", "0.9"}), "always", dropped.always);
 
   const CheckFile near =
-      check_self(folder, self_words(moving, {"--self-at-rest", "keep", "--fail-on", "never"}), 0);
+      check_pairs(folder, 0, joined(moving, {"--self-at-rest", "keep", "--fail-on", "never"}));
   const CheckFile whole =
-      check_self(folder,
-                 {"dressed.glb", "--clip", "sway", "--frames", "0:30:3", "--self-rings", "0",
-                  "--self-at-rest", "keep", "--fail-on", "never"},
-                 0);
+      check_pairs(folder, 0,
+                  {"dressed.glb", "--clip", "sway", "--frames", "0:30:3", "--self-rings", "0",
+                   "--self-at-rest", "keep", "--fail-on", "never"});
   std::size_t contacts = 0;
   for (std::size_t f = 0; f < near.frames.size(); ++f) {
     EXPECT_EQ(contacts_of(near.frames[f]), contacts_of(whole.frames[f])) << f;
@@ -118,11 +116,11 @@ TEST(CheckSelfOfParts, FiltersServeTwoPartsOfOneCharacter) {
 TEST(CheckSelfOfParts, LimitsWhatTheFiltersKeep) {
   const TestFolder folder;
   write_dressed_curl(folder);
-  const CommandWords dressed = {
+  const Words dressed = {
       "dressed.glb",        "--clip", "sway", "--by", "part", "--self", "--self-rings", "0",
       "--self-near-joints", "keep"};
-  const CheckFile all = check_self(folder, dressed, 1);
-  const CheckFile first = check_self(folder, self_words(dressed, {"--first"}), 1);
+  const CheckFile all = check_pairs(folder, 1, dressed);
+  const CheckFile first = check_pairs(folder, 1, joined(dressed, {"--first"}));
   for (std::size_t f = 0; f < all.frames.size(); ++f) {
     ASSERT_EQ(first.frames[f]["pairs"].size(), all.frames[f]["pairs"].size());
     for (const json& pair : first.frames[f]["pairs"]) EXPECT_EQ(pair["contacts"], 1);

@@ -31,13 +31,7 @@ class CheckSkinning : public ::testing::Test {
                 R"({"file": "two.glb", "skinning": "dual-quaternion"})");
   }
 
-  CheckFile check(std::vector<std::string> words) {
-    words.insert(words.begin(), "check");
-    words.insert(words.end(), {"--pairs", "--jsonl", "-"});
-    const Ended run = run_pelt(folder_, words);
-    EXPECT_EQ(run.exit_code, 1) << run.err;
-    return parse_check_file(run.out);
-  }
+  CheckFile check(const Words& words) { return check_pairs(folder_, 1, words); }
 
   static json skinning_of(const CheckFile& file) { return file.header["options"]["skinning"]; }
 
@@ -75,20 +69,16 @@ TEST_F(CheckSkinning, MayDifferBetweenModels) {
 }
 
 TEST_F(CheckSkinning, IsNotedIfTheBaselineHadAnother) {
-  ASSERT_EQ(run_pelt(folder_, {"check", "mixed.json", "--jsonl", "then.jsonl"}).exit_code, 1);
+  run_pelt(folder_, 1, {"check", "mixed.json", "--jsonl", "then.jsonl"});
   const Ended run = run_pelt(folder_, {"check", "dual.json", "--baseline", "then.jsonl"});
-  EXPECT_NE(run.out.find(R"(skinning was {"one":"linear","two":"dual-quaternion"} in the baseline)"
-                         R"( and is "dual-quaternion" now)"),
-            std::string::npos)
-      << run.out << run.err;
+  EXPECT_TRUE(contains(run.out,
+                       R"(skinning was {"one":"linear","two":"dual-quaternion"} in the baseline)"
+                       R"( and is "dual-quaternion" now)"));
 }
 
 TEST_F(CheckSkinning, OfPosedFilesIsThatOfTheScene) {
   const auto pose = [&](const std::vector<std::string>& words) {
-    std::vector<std::string> all = {"pose", "--frame", "7", "-o", "posed.glb"};
-    all.insert(all.end(), words.begin(), words.end());
-    const Ended run = run_pelt(folder_, all);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    run_pelt(folder_, 0, joined({"pose", "--frame", "7", "-o", "posed.glb"}, words));
     return read_text(folder_ / "posed.glb");
   };
   EXPECT_EQ(pose({"dual.json"}), pose({"plain.json", "--skinning"}));
@@ -98,12 +88,10 @@ TEST_F(CheckSkinning, OfPosedFilesIsThatOfTheScene) {
 
 TEST_F(CheckSkinning, IsRefusedByPlaceInTheScene) {
   write_scene(folder_, "bad.json", R"({"file": "one.glb", "skinning": "dual"})", R"("two.glb")");
-  const Ended run = run_pelt(folder_, {"check", "bad.json"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("bad.json: models.one.skinning: expected \"linear\" or "
-                         "\"dual-quaternion\", found \"dual\""),
-            std::string::npos)
-      << run.err;
+  const Ended run = run_pelt(folder_, 2, {"check", "bad.json"});
+  EXPECT_TRUE(contains(run.err,
+                       "bad.json: models.one.skinning: expected \"linear\" or "
+                       "\"dual-quaternion\", found \"dual\""));
 }
 
 /// Joints with scale are refused by dual quaternion skinning, and the message names the instance.
@@ -111,27 +99,19 @@ TEST_F(CheckSkinning, NeedsRigidJoints) {
   json scene = json::parse(read_text(folder_ / "dual.json"));
   scene["instances"][0]["scale"] = 1.5;
   write_text(folder_ / "scaled.json", scene.dump());
-  const Ended run = run_pelt(folder_, {"check", "scaled.json"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("instances[0]: palette[0] is not rigid"), std::string::npos) << run.err;
+  const Ended run = run_pelt(folder_, 2, {"check", "scaled.json"});
+  EXPECT_TRUE(contains(run.err, "instances[0]: palette[0] is not rigid"));
 }
 
 TEST_F(CheckSkinning, OfThePageIsThatOfTheSceneAndOfTheOption) {
-  write_text(folder_ / "viewer.html", viewer_page(PELT_VERSION));
-  ASSERT_EQ(setenv("PELT_VIEWER", (folder_ / "viewer.html").c_str(), 1), 0);
-  const auto data_of = [&](const std::vector<std::string>& words) {
-    std::vector<std::string> all = {"check", "--html", "report.html"};
-    all.insert(all.end(), words.begin(), words.end());
-    EXPECT_EQ(run_pelt(folder_, all).exit_code, 1);
-    const std::string page = read_text(folder_ / "report.html");
-    const std::string open = R"(id="pelt-data">)";
-    const std::size_t begin = page.find(open) + open.size();
-    return json::parse(page.substr(begin, page.find("</script>") - begin));
+  const ViewerPage viewer(folder_);
+  const auto reading = [&](const Words& words) {
+    run_pelt(folder_, 1, joined({"check", "--html", "report.html"}, words));
+    return data_of(read_text(folder_ / "report.html"))["reading"];
   };
-  EXPECT_FALSE(data_of({"dual.json"})["reading"].contains("skinning"));
-  EXPECT_EQ(data_of({"plain.json", "--skinning"})["reading"]["skinning"], "dual-quaternion");
-  EXPECT_EQ(data_of({"dual.json", "--skinning", "linear"})["reading"]["skinning"], "linear");
-  unsetenv("PELT_VIEWER");
+  EXPECT_FALSE(reading({"dual.json"}).contains("skinning"));
+  EXPECT_EQ(reading({"plain.json", "--skinning"})["skinning"], "dual-quaternion");
+  EXPECT_EQ(reading({"dual.json", "--skinning", "linear"})["skinning"], "linear");
 }
 
 }  // namespace

@@ -8,7 +8,6 @@ import os
 import pathlib
 import re
 import sys
-import tempfile
 import unittest
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "shard"))
@@ -17,15 +16,8 @@ import check_runs  # noqa: E402  pylint: disable=wrong-import-position
 COMMAND = sys.argv.pop()
 
 
-class ThreadsTests(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        check_runs.write_scenes(self.folder)
-
-    def pelt(self, *arguments):
-        return check_runs.run(COMMAND, self.folder, *arguments)
+class ThreadsTests(check_runs.CheckTests):
+    command = COMMAND
 
     def test_answers_do_not_depend_on_threads(self):
         in_contact = 0

@@ -1,5 +1,7 @@
 #include "tools/pelt/check/settings.hpp"
 
+#include "support/contains.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -98,19 +100,18 @@ TEST(KnownBaseline, FindsContainedBodiesOnRequest) {
   EXPECT_EQ(baseline->held(),
             (std::set<CheckBaseline::HeldNames>{{{"thief", 0, ""}, {"knight", 0, "hall"}}}));
   answer.totals.erase("held");
-  EXPECT_NE(message_of(parse(answer, question)).find("held: is missing"), std::string::npos);
+  EXPECT_TRUE(test::contains(message_of(parse(answer, question)), "held: is missing"));
 }
 
 TEST(KnownBaseline, FindsTouchesByClip) {
   Answer answer;
   answer.header["options"]["clips"] = {"walk", "idle"};
   answer.totals["touches"][0]["clip"] = "walk";
-  EXPECT_NE(message_of(parse(answer)).find("was written with all clips of a model ('*')"),
-            std::string::npos);
+  EXPECT_TRUE(
+      test::contains(message_of(parse(answer)), "was written with all clips of a model ('*')"));
   nlohmann::ordered_json question = asked();
   question["clips"] = {"walk", "run"};
-  EXPECT_NE(message_of(parse({}, question)).find("was written without the clip '*'"),
-            std::string::npos);
+  EXPECT_TRUE(test::contains(message_of(parse({}, question)), "was written without the clip '*'"));
   const Result<CheckBaseline> baseline = parse(answer, question);
   ASSERT_TRUE(baseline) << baseline.error().message;
   const TouchName arm = name("knight", 0, "arm"), hips = name("thief", 0, "hips");
@@ -163,17 +164,16 @@ TEST(KnownBaseline, RefusesTheAnswerToAnotherQuestion) {
 TEST(KnownBaseline, RefusesWhatIsNoAnswer) {
   Answer other;
   other.header["format"] = "pelt-bounds";
-  EXPECT_NE(message_of(parse(other)).find("format: must be pelt-check"), std::string::npos);
+  EXPECT_TRUE(test::contains(message_of(parse(other)), "format: must be pelt-check"));
   Answer later;
   later.header["version"] = 2;
-  EXPECT_NE(message_of(parse(later)).find("version: must be 1"), std::string::npos);
+  EXPECT_TRUE(test::contains(message_of(parse(later)), "version: must be 1"));
   Answer bare;
   bare.header["options"] = 3;
-  EXPECT_NE(message_of(parse(bare)).find("options: must be an object"), std::string::npos);
+  EXPECT_TRUE(test::contains(message_of(parse(bare)), "options: must be an object"));
   Answer nameless;
   nameless.totals["touches"][0]["a"].erase("copy");
-  EXPECT_NE(message_of(parse(nameless)).find("touches[0].a.copy"), std::string::npos)
-      << message_of(parse(nameless));
+  EXPECT_TRUE(test::contains(message_of(parse(nameless)), "touches[0].a.copy"));
 }
 
 TEST(KnownBaseline, NamesAMissingFileOnceAndSaysWhatToGive) {
@@ -188,20 +188,18 @@ TEST(KnownBaseline, RefusesAFileThatIsCutShort) {
   const auto of = [](const std::string& cut) {
     return message_of(CheckBaseline::parse("b.jsonl", cut, asked(), scene_of({"knight"})));
   };
-  EXPECT_NE(of(text.substr(0, text.size() - 9)).find("the JSON text"), std::string::npos);
-  EXPECT_NE(
-      of(text.substr(0, text.find("\n{\"touches"))).find("touches: is missing from the last line"),
-      std::string::npos);
-  EXPECT_NE(of("").find("the JSON text"), std::string::npos);
+  EXPECT_TRUE(test::contains(of(text.substr(0, text.size() - 9)), "the JSON text"));
+  EXPECT_TRUE(test::contains(of(text.substr(0, text.find("\n{\"touches"))),
+                             "touches: is missing from the last line"));
+  EXPECT_TRUE(test::contains(of(""), "the JSON text"));
 }
 
 TEST(KnownBaseline, RefusesAnotherScene) {
-  EXPECT_NE(
-      message_of(parse({}, asked(), {"elf", "orc"}))
-          .find("belongs to another scene, with \"knight\", \"thief\" instead of \"elf\", "
-                "\"orc\": give the baseline of this scene; if models were renamed, write a new "
-                "baseline, or use the earlier names"),
-      std::string::npos);
+  EXPECT_TRUE(test::contains(
+      message_of(parse({}, asked(), {"elf", "orc"})),
+      "belongs to another scene, with \"knight\", \"thief\" instead of \"elf\", "
+      "\"orc\": give the baseline of this scene; if models were renamed, write a new "
+      "baseline, or use the earlier names"));
 }
 
 TEST(KnownBaseline, NotesWhatElseDiffers) {
@@ -232,7 +230,7 @@ TEST(KnownBaseline, CountsInstancesOnceWhosePartsAreColliders) {
 TEST(KnownBaseline, FindsNamesThatAreNotText) {
   const Result<CheckBaseline> baseline = parse({}, asked(), {"knight", "thief", "caf\xE9"});
   ASSERT_TRUE(baseline);
-  EXPECT_NE(baseline->notes()[0].find("caf\xEF\xBF\xBD"), std::string::npos);
+  EXPECT_TRUE(test::contains(baseline->notes()[0], "caf\xEF\xBF\xBD"));
 }
 
 }  // namespace

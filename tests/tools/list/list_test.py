@@ -6,16 +6,13 @@
 
 import json
 import pathlib
-import random
 import sys
-import tempfile
 import unittest
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "shard"))
 import check_runs  # noqa: E402  pylint: disable=wrong-import-position
 
 COMMAND = sys.argv.pop()
-SEED = random.randrange(2**32)
 SCENES = ["pair.json", "missing.json", "apart.json", "one.json", "broken.json", "clips.json",
           "limb.glb"]
 IN_CONTACT = ["pair.json", "one.json", "clips.json"]
@@ -23,21 +20,16 @@ OPTIONS = [[], ["--pairs", "--threads", "1"], ["--threads", "2", "--self", "--in
            ["--between", "--threads", "20", "--by", "part"], ["--first", "--fail-on", "never"]]
 
 
-class ListTests(unittest.TestCase):
+class ListTests(check_runs.CheckTests):
+    command = COMMAND
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        check_runs.write_scenes(self.folder)
+        super().setUp()
         (self.folder / "broken.json").write_text("{")
         self.write_list(SCENES)
-        self.random = random.Random(SEED)
 
     def write_list(self, names, name="list.txt"):
         (self.folder / name).write_text("".join(f"{one}\n" for one in names))
-
-    def pelt(self, *arguments):
-        return check_runs.run(COMMAND, self.folder, *arguments)
 
     def answer(self, *arguments):
         """The exit code, the summary, the errors, and the bytes of --jsonl."""
@@ -51,19 +43,7 @@ class ListTests(unittest.TestCase):
         return self.answer("check", "--scenes", scenes, *options)
 
     def write_shards(self, count, *options, name="s"):
-        files = []
-        for index in range(1, count + 1):
-            files.append(f"{name}{index}.shard")
-            code, out, error = self.pelt("check", "--scenes", "list.txt", *options, "--shard",
-                                         f"{index}/{count}", "-o", files[-1])
-            self.assertEqual(code, 0, error)
-            self.assertIn(f"shard      {index} of {count}: ", out)
-        return files
-
-    def refusal(self, *arguments):
-        code, out, error = self.pelt(*arguments)
-        self.assertEqual((code, out), (2, ""), error)
-        return error
+        return self.shards_of(["--scenes", "list.txt", *options], count, name)
 
     def entries(self, data):
         """The line of each scene, with the lines of its check as "check"."""
@@ -129,7 +109,7 @@ class ListTests(unittest.TestCase):
             for count in (1, 3, self.random.choice((2, 4, 7, 11))):
                 files = self.write_shards(count, *options)
                 self.random.shuffle(files)
-                with self.subTest(options=options, files=files, seed=SEED):
+                with self.subTest(options=options, files=files, seed=check_runs.SEED):
                     self.assertEqual(self.answer("merge", *files), expected)
 
     def test_a_baseline_is_the_answer_for_an_earlier_list(self):
@@ -257,15 +237,7 @@ class ListTests(unittest.TestCase):
                       self.refusal("merge", files[0], other[1], files[2]))
 
     def test_damaged_shards_are_named(self):
-        files = self.write_shards(2)
-        path = self.folder / files[1]
-        good = path.read_bytes()
-        cuts = {0, 1, len(good) - 1, good.rstrip().rfind(b"\n") + 1}
-        cuts |= {self.random.randrange(len(good)) for _ in range(8)}
-        for cut in sorted(cuts):
-            path.write_bytes(good[:cut])
-            error = self.refusal("merge", *files)
-            self.assertRegex(error, "s2.shard: .*: (write shard 2/2 again|give files)", (SEED, cut))
+        self.expect_cuts_are_named(self.write_shards(2))
 
     def test_hostile_shards_are_refused(self):
         files = self.write_shards(1)

@@ -26,11 +26,10 @@ TEST_P(OutputConflict, IsNoInput) {
     inputs.push_back("viewer.html");
   const auto before = folder.contents();
   for (const std::string& input : inputs) {
-    const Ended run = run_pelt(folder.get(), with(GetParam().words, input));
-    EXPECT_EQ(run.exit_code, 2) << input << run.out;
+    const Ended run = run_pelt(folder, 2, with(GetParam().words, input));
     EXPECT_EQ(run.out, "") << input;
-    EXPECT_NE(run.err.find(input + " is "), std::string::npos) << run.err;
-    EXPECT_NE(run.err.find(": name another file"), std::string::npos) << run.err;
+    EXPECT_TRUE(contains(run.err, input + " is "));
+    EXPECT_TRUE(contains(run.err, ": name another file"));
     EXPECT_TRUE(folder.contents() == before) << input;
   }
 }
@@ -54,7 +53,7 @@ TEST_P(OutputConflict, IsNoInputThroughADescriptor) {
     const Ended run = run_in_shell(folder, words + script);
     EXPECT_EQ(run.exit_code, 2) << script;
     EXPECT_EQ(run.out, "") << script;
-    EXPECT_NE(run.err.find(message), std::string::npos) << script << run.err;
+    EXPECT_TRUE(contains(run.err, message)) << script;
     EXPECT_TRUE(folder.contents() == before) << script;
   }
 }
@@ -72,17 +71,16 @@ TEST(OutputConflicts, AreNotEachOther) {
       {"b", "symbolic"}, {"b", "hard"}, {"-", "-"}, {"-", "/dev/stdout"}};
   for (const auto& [a, b] : same) {
     for (const std::string other : {"--glb", "--html"}) {
-      const Ended run = run_pelt(folder.get(), {"check", "scene.json", "--jsonl", a, other, b});
+      const Ended run = run_pelt(folder, {"check", "scene.json", "--jsonl", a, other, b});
       EXPECT_EQ(run.exit_code, 2) << a << ' ' << b;
       EXPECT_EQ(run.out, "");
-      EXPECT_NE(run.err.find(other + ": " + b + " is the output of --jsonl"), std::string::npos)
-          << run.err;
+      EXPECT_TRUE(contains(run.err, other + ": " + b + " is the output of --jsonl"));
     }
   }
   const Ended shell =
       run_in_shell(folder, shell_command({"check", "scene.json", "--jsonl", "said"}) + " > said");
   EXPECT_EQ(shell.exit_code, 2);
-  EXPECT_NE(shell.err.find("said is where standard output goes"), std::string::npos) << shell.err;
+  EXPECT_TRUE(contains(shell.err, "said is where standard output goes"));
   fs::remove(folder / "said");
   EXPECT_TRUE(folder.contents() == before);
 }
@@ -90,8 +88,8 @@ TEST(OutputConflicts, AreNotEachOther) {
 TEST(OutputConflicts, AreNotAnInputThatIsADescriptor) {
   const SafetyFolder folder;
   write_bytes(folder / "a.glb", build_limb(12).glb());
-  ASSERT_EQ(run_pelt(folder.get(), {"check", "scene.json", "--jsonl", "known"}).exit_code, 1);
-  ASSERT_EQ(run_pelt(folder.get(), {"prepare", "a.glb", "-o", "a.pelt"}).exit_code, 0);
+  run_pelt(folder, 1, {"check", "scene.json", "--jsonl", "known"});
+  run_pelt(folder, 0, {"prepare", "a.glb", "-o", "a.pelt"});
   const auto before = folder.contents();
   const std::vector<std::pair<std::string, std::string>> scripts = {
       {"check /dev/stdin a.gltf --jsonl a.glb <a.glb", "--jsonl: a.glb is the model /dev/stdin"},
@@ -111,7 +109,7 @@ TEST(OutputConflicts, AreNotAnInputThatIsADescriptor) {
   for (const auto& [script, message] : scripts) {
     const Ended run = run_in_shell(folder, "timeout 60 '" PELT_COMMAND "' " + script);
     EXPECT_EQ(run.exit_code, 2) << script;
-    EXPECT_NE(run.err.find(message), std::string::npos) << script << run.err;
+    EXPECT_TRUE(contains(run.err, message)) << script;
     EXPECT_TRUE(folder.contents() == before) << script;
   }
 }
@@ -129,13 +127,13 @@ TEST(OutputConflicts, ShareNoDescriptorPipeOrDevice) {
                                            "' check scene.json " +
                                                script + "; code=$?; rm -f pipe new; exit $code");
     EXPECT_EQ(run.exit_code, 2) << script;
-    EXPECT_NE(run.err.find(" is the output of --"), std::string::npos) << script << run.err;
+    EXPECT_TRUE(contains(run.err, " is the output of --")) << script;
     EXPECT_TRUE(folder.contents() == before) << script;
   }
   const Ended shared = run_in_shell(
       folder, shell_command({"check", "scene.json", "--jsonl", "/dev/fd/9"}) + " 9>said >said");
   EXPECT_EQ(shared.exit_code, 2);
-  EXPECT_NE(shared.err.find("/dev/fd/9 is where standard output goes"), std::string::npos);
+  EXPECT_TRUE(contains(shared.err, "/dev/fd/9 is where standard output goes"));
 }
 
 TEST(OutputConflicts, MayShareTheNullDevice) {
@@ -150,14 +148,12 @@ TEST(OutputConflicts, MayShareTheNullDevice) {
 
 TEST(OutputConflicts, AreNotTheBaseline) {
   const SafetyFolder folder;
-  ASSERT_EQ(run_pelt(folder.get(), {"check", "scene.json", "--jsonl", "known"}).exit_code, 1);
+  run_pelt(folder, 1, {"check", "scene.json", "--jsonl", "known"});
   const auto before = folder.contents();
   for (const std::string option : {"--jsonl", "--glb", "--html"}) {
     const Ended run =
-        run_pelt(folder.get(), {"check", "scene.json", "--baseline", "known", option, "./known"});
-    EXPECT_EQ(run.exit_code, 2);
-    EXPECT_NE(run.err.find(option + ": ./known is the baseline known"), std::string::npos)
-        << run.err;
+        run_pelt(folder, 2, {"check", "scene.json", "--baseline", "known", option, "./known"});
+    EXPECT_TRUE(contains(run.err, option + ": ./known is the baseline known"));
   }
   EXPECT_TRUE(folder.contents() == before);
 }
@@ -166,12 +162,12 @@ TEST(OutputConflicts, OfADemoAreFilesOfTheirOwn) {
   const SafetyFolder folder;
   fs::create_directory(folder / "pelt-demo");
   fs::create_symlink("scene.json", folder / "pelt-demo/contacts.glb");
-  Ended run = run_pelt(folder.get(), {"demo", "--no-picture"});
+  Ended run = run_pelt(folder, {"demo", "--no-picture"});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("contacts.glb is the output of -o"), std::string::npos) << run.err;
+  EXPECT_TRUE(contains(run.err, "contacts.glb is the output of -o"));
   fs::remove(folder / "pelt-demo/contacts.glb");
   fs::create_symlink("../viewer.html", folder / "pelt-demo/report.html");
-  run = run_pelt(folder.get(), {"demo", "--no-picture"});
+  run = run_pelt(folder, {"demo", "--no-picture"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(read_text(folder / "viewer.html"), viewer_page(PELT_VERSION));
   EXPECT_EQ(names_in_path(folder / "pelt-demo"), std::set<std::string>{"report.html"});

@@ -64,8 +64,7 @@ TEST(OutputFile, NamesWhatCannotBeWritten) {
   OutputFile file;
   const auto opened = file.open("no/such/folder/a.jsonl");
   ASSERT_FALSE(opened);
-  EXPECT_NE(opened.error().message.find("no/such/folder/a.jsonl: cannot be written"),
-            std::string::npos);
+  EXPECT_TRUE(contains(opened.error().message, "no/such/folder/a.jsonl: cannot be written"));
 }
 
 }  // namespace

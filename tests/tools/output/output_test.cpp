@@ -13,7 +13,7 @@ namespace {
 TEST(Output, FileThatCannotBeWrittenIsNamed) {
   const auto written = tools::output::write_file("no/such/folder/a.glb", {});
   ASSERT_FALSE(written);
-  EXPECT_NE(written.error().message.find("no/such/folder/a.glb"), std::string::npos);
+  EXPECT_TRUE(contains(written.error().message, "no/such/folder/a.glb"));
 }
 
 TEST(Output, FileThatWasWrittenIsTold) {
@@ -30,13 +30,12 @@ Ended run_in_shell(const TestFolder& folder, const std::string& rest) {
 class LostOutput : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(LostOutput, IsAnError) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_strip(folder, "strip.glb");
   for (const std::string nowhere : {" > /dev/full", " >&-"}) {
     const Ended run = run_in_shell(folder, GetParam() + nowhere);
     EXPECT_EQ(run.exit_code, 2) << nowhere;
-    EXPECT_NE(run.err.find("standard output: cannot be written"), std::string::npos) << run.err;
+    EXPECT_TRUE(contains(run.err, "standard output: cannot be written"));
   }
 }
 
@@ -48,8 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Verbs, LostOutput,
                                            "check --help", "--version"));
 
 TEST(Output, FileDoesNotTakeThePlaceOfAClosedStream) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const Ended whole = run_in_shell(folder, "check strip.glb --fail-on never --jsonl whole");
   EXPECT_EQ(whole.exit_code, 0) << whole.err;
   run_in_shell(folder, "check strip.glb --fail-on never --jsonl closed <&- >&- 2>&-");

@@ -16,8 +16,6 @@
 
 namespace pelt::test {
 
-using Words = std::vector<std::string>;
-
 inline const std::string kOld = "what was there before\n";
 
 /// A verb with one output, whose name is the last argument.
@@ -49,44 +47,35 @@ inline std::vector<Writer> writers() {
 
 /// A folder with a scene of a.gltf, the buffer a.bin and the image that a.gltf names, and the
 /// viewer's page.
-class SafetyFolder {
+class SafetyFolder : public TestFolder {
  public:
   SafetyFolder() {
     GltfBuilder builder = build_limb(12);
     builder.document["buffers"] = {{{"byteLength", builder.binary.size()}, {"uri", "a.bin"}}};
     builder.document["images"] = {{{"uri", "skin%20a.png"}}};
-    write_text(folder_ / "a.gltf", builder.document.dump());
-    write_bytes(folder_ / "a.bin", builder.binary);
-    write_text(folder_ / "skin a.png", "picture");
+    write_text(*this / "a.gltf", builder.document.dump());
+    write_bytes(*this / "a.bin", builder.binary);
+    write_text(*this / "skin a.png", "picture");
     std::string scene = kLimbsScene;
     for (const std::string model : {"one.glb", "two.glb"})
       scene.replace(scene.find(model), model.size(), "a.gltf");
-    write_text(folder_ / "scene.json", scene);
-    write_text(folder_ / "viewer.html", viewer_page(PELT_VERSION));
-    EXPECT_EQ(setenv("PELT_VIEWER", (folder_ / "viewer.html").c_str(), 1), 0);
+    write_text(*this / "scene.json", scene);
   }
-  ~SafetyFolder() { unsetenv("PELT_VIEWER"); }
-
-  const TestFolder& get() const { return folder_; }
-  std::string operator/(const std::string& name) const { return folder_ / name; }
 
   /// Names and contents of the files; follows links.
   std::map<std::string, std::string> contents() const {
     std::map<std::string, std::string> all;
-    for (const std::string& name : names_in(folder_)) {
-      if (std::filesystem::is_regular_file(folder_ / name)) all[name] = read_text(folder_ / name);
+    for (const std::string& name : names_in(*this)) {
+      if (std::filesystem::is_regular_file(*this / name)) all[name] = read_text(*this / name);
     }
     return all;
   }
 
  private:
-  TestFolder folder_;
+  const ViewerPage viewer_{*this};
 };
 
-inline Words with(Words words, const std::string& last) {
-  words.push_back(last);
-  return words;
-}
+inline Words with(const Words& words, const std::string& last) { return joined(words, {last}); }
 
 inline std::string shell_command(const Words& words) {
   std::string command = "'" PELT_COMMAND "'";
@@ -95,7 +84,7 @@ inline std::string shell_command(const Words& words) {
 }
 
 inline Ended run_in_shell(const SafetyFolder& folder, const std::string& script) {
-  return run_program(folder.get().path(), {"bash", "-c", script});
+  return run_program(folder.path(), {"bash", "-c", script});
 }
 
 /// Name of a test of one writer.

@@ -2,6 +2,7 @@
 
 #include "support/largest_allocation.hpp"
 #include "tools/pelt/query/distance_query.hpp"
+#include "tools/scene/walkers.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -39,10 +40,9 @@ scenes::Scene row_of_creatures(std::uint32_t count) {
 TEST(DistanceMemory, DoesNotGrowWithTheNumberOfPairs) {
   constexpr std::uint32_t kInstances = 300, kPairs = kInstances * (kInstances - 1) / 2;
   const scenes::Scene scene = row_of_creatures(kInstances);
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  const scene::StagedScene staged(scene, *colliders);
-  scene::ScenePoses poses(*colliders);
+  const auto colliders = test::colliders_of(scene);
+  const scene::StagedScene staged(scene, colliders);
+  scene::ScenePoses poses(colliders);
   DistanceQuery query(staged, {}, DistanceQuery::Lists::all, 256);
   Counter counter;
   std::ostream out(&counter);

@@ -1,5 +1,8 @@
 #include "tools/pelt/query/distance_query.hpp"
 
+#include "support/contains.hpp"
+#include "tools/scene/walkers.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -76,10 +79,9 @@ TEST(DistanceQuery, FindsTheSamePairsWithinADistanceAsWithoutOne) {
     instance.translation = {place(random), place(random), place(random)};
     instance.velocity = {place(random), 0, place(random)};
   }
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
+  const auto colliders = test::colliders_of(scene);
   constexpr double kWithin = 0.75;
-  Asked all(scene, *colliders, DistanceSettings().within), near(scene, *colliders, kWithin);
+  Asked all(scene, colliders, DistanceSettings().within), near(scene, colliders, kWithin);
   std::size_t found = 0, left_out = 0;
   for (std::uint32_t frame = 0; frame < 60; frame += 15) {
     const json pairs = all.pairs_of(frame);
@@ -100,9 +102,8 @@ TEST(DistanceQuery, QueriesOnlyPairsThatAreNear) {
   for (std::uint32_t i = 0; i < 2000; ++i)
     scene.instances[i].translation = {5.0 * (i % 50), 0, 5.0 * (i / 50)};
   scene.instances[1].translation = scene.instances[0].translation;
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  Asked near(scene, *colliders, 0.1);
+  const auto colliders = test::colliders_of(scene);
+  Asked near(scene, colliders, 0.1);
   EXPECT_EQ(near.pairs_of(0).size(), 1u);
   EXPECT_EQ(near.least().size(), 1u);
   EXPECT_GT(near.work.node_pairs, 0u);
@@ -121,10 +122,9 @@ scenes::Scene walkers(std::uint32_t count) {
 
 TEST(DistanceQuery, AnswersDoNotDependOnTheNumberOfPairsInMemory) {
   const scenes::Scene scene = walkers(50);
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
+  const auto colliders = test::colliders_of(scene);
   const double within = DistanceSettings().within;
-  Asked in_memory(scene, *colliders, within), in_file(scene, *colliders, within, 8);
+  Asked in_memory(scene, colliders, within), in_file(scene, colliders, within, 8);
   for (const std::uint32_t frame : {0u, 20u, 40u}) {
     const json pairs = in_memory.pairs_of(frame);
     EXPECT_EQ(pairs.size(), 1225u);  // more than one block of the file
@@ -140,20 +140,18 @@ TEST(DistanceQuery, AnswersDoNotDependOnTheNumberOfPairsInMemory) {
 
 TEST(DistanceQuery, StoresPairsThatExceedMemoryInAFile) {
   const scenes::Scene scene = walkers(50);
-  const auto colliders = scene::make_colliders(scene, scene::Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
+  const auto colliders = test::colliders_of(scene);
   ASSERT_EQ(setenv("TMPDIR", "/nowhere/at all", 1), 0);
-  Asked in_memory(scene, *colliders, DistanceSettings().within);
+  Asked in_memory(scene, colliders, DistanceSettings().within);
   in_memory.pairs_of(0);
   EXPECT_TRUE(in_memory.query.status());
-  Asked in_file(scene, *colliders, DistanceSettings().within, 8);
+  Asked in_file(scene, colliders, DistanceSettings().within, 8);
   in_file.pairs_of(0);
   unsetenv("TMPDIR");
   const auto status = in_file.query.status();
   ASSERT_FALSE(status);
-  EXPECT_NE(status.error().message.find("/nowhere/at all: cannot hold a temporary file: No such"),
-            std::string::npos)
-      << status.error().message;
+  EXPECT_TRUE(test::contains(status.error().message,
+                             "/nowhere/at all: cannot hold a temporary file: No such"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <pelt/distance.hpp>
 
 #include "tools/pelt/check/frame_query.hpp"
+#include "tools/scene/walkers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,13 +20,6 @@ scenes::Scene creatures(std::uint32_t count) {
   return scene;
 }
 
-Palettes palettes_of(const scenes::Scene& scene) {
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  sample_palettes(scene, 0, scratch, palettes);
-  return palettes;
-}
-
 TEST(NearPairs, ContainAllPairsThatAreNearAndNotAllPairs) {
   const std::uint32_t seed = std::random_device()();
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -34,10 +28,9 @@ TEST(NearPairs, ContainAllPairsThatAreNearAndNotAllPairs) {
   scenes::Scene scene = creatures(24);
   for (scenes::Instance& instance : scene.instances)
     instance.translation = {place(random), place(random), place(random)};
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  ScenePoses posed(*colliders);
-  ASSERT_TRUE(posed.set_palettes(palettes_of(scene)));
+  const auto colliders = test::colliders_of(scene);
+  ScenePoses posed(colliders);
+  ASSERT_TRUE(posed.set_palettes(test::palettes_of(scene, 0)));
   const std::span<Pose> poses = posed.poses();
   constexpr double kDistance = 0.25;
   NearPairs near_pairs;

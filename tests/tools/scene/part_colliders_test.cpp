@@ -4,6 +4,7 @@
 #include "tools/pelt/check/frame_query.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
+#include "tools/scene/walkers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,9 @@
 
 namespace pelt::tools::scene {
 namespace {
+
+using test::colliders_of;
+using test::palettes_of;
 
 constexpr std::uint32_t kParts = 12;
 
@@ -34,19 +38,6 @@ scenes::Scene talkers() {
   scene.instances[1].translation = {0.05, 0.02, 0.01};
   scene.instances[1].start = 0.4;
   return scene;
-}
-
-Palettes palettes_of(const scenes::Scene& scene, std::uint32_t frame) {
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  sample_palettes(scene, frame, scratch, palettes);
-  return palettes;
-}
-
-std::vector<Collider> colliders_of(const scenes::Scene& scene, Granularity granularity) {
-  auto colliders = make_colliders(scene, granularity, {});
-  EXPECT_TRUE(colliders) << colliders.error().message;
-  return std::move(*colliders);
 }
 
 /// Triangle numbers of a contact of two instances, and its joints.

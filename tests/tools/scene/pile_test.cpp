@@ -10,9 +10,8 @@ namespace {
 
 /// The content of the pile.json that scripts/pile-scene writes.
 json write_pile(const TestFolder& folder, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {PELT_PYTHON, PELT_SCRIPTS_DIR "/pile-scene"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const Ended run = run_program(folder.path(), words);
+  const Ended run =
+      run_program(folder.path(), joined({PELT_PYTHON, PELT_SCRIPTS_DIR "/pile-scene"}, arguments));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   write_text(folder / "pile.json", run.out);
   return json::parse(run.out);
@@ -31,8 +30,7 @@ TEST(Pile, OfCreaturesHasTheSameAnswerByEveryMethod) {
 }
 
 TEST(Pile, OfAnyCharacterIsWrittenByTheScript) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const json scene = write_pile(folder, {"one.glb", "sway", "3"});
   ASSERT_EQ(scene["instances"].size(), 3u);
   std::set<json> starts;

@@ -1,5 +1,6 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
+#include "support/contains.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
 #include "tools/pelt/scene/scene_glb.hpp"
 #include "tools/scene/walkers.hpp"
@@ -7,6 +8,8 @@
 namespace pelt::tools::scene {
 namespace {
 
+using test::colliders_of;
+using test::palettes_of;
 using test::walkers;
 
 TEST(PoseInstances, RefuseScenesTooLargeForAGlb) {
@@ -25,15 +28,12 @@ TEST(PoseInstances, RefuseScenesTooLargeForAGlb) {
 
 TEST(SceneQuery, PartsOfOneInstanceCollideAlikeAsACrowdAndPairByPair) {
   const scenes::Scene scene = walkers();
-  auto colliders = make_colliders(scene, Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  colliders->push_back(colliders->front());
-  colliders->back().first_triangle = 1000;
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  sample_palettes(scene, 6, scratch, palettes);
-  SceneQuery crowd(*colliders, methods::kOnDemand);
-  SceneQuery pairs(*colliders, methods::kOnDemand.make());
+  auto colliders = colliders_of(scene);
+  colliders.push_back(colliders.front());
+  colliders.back().first_triangle = 1000;
+  const Palettes palettes = palettes_of(scene, 6);
+  SceneQuery crowd(colliders, methods::kOnDemand);
+  SceneQuery pairs(colliders, methods::kOnDemand.make());
   for (const std::uint32_t max_contacts : {UINT32_MAX, 3u}) {
     FrameContacts by_crowd, by_pairs;
     ASSERT_TRUE(crowd.set_palettes(palettes));
@@ -65,16 +65,13 @@ scenes::Scene row(std::uint32_t count) {
 
 TEST(SceneQuery, AnswersAlikeOnAnyNumberOfThreads) {
   const scenes::Scene scene = row(300);
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  SceneQuery pairs(*colliders, methods::kOnDemand.make());
+  const auto colliders = colliders_of(scene);
+  SceneQuery pairs(colliders, methods::kOnDemand.make());
   FrameContacts expected, found;
   for (const std::uint32_t threads : {1u, 2u, 4u, 9u}) {
-    SceneQuery crowd = SceneQuery::as_crowd(*colliders, threads);
+    SceneQuery crowd = SceneQuery::as_crowd(colliders, threads);
     for (std::uint32_t frame = 0; frame < 3; ++frame) {
-      sample_palettes(scene, frame, scratch, palettes);
+      const Palettes palettes = palettes_of(scene, frame);
       ASSERT_TRUE(pairs.set_palettes(palettes));
       ASSERT_TRUE(crowd.set_palettes(palettes));
       pairs.collide({}, expected);
@@ -88,19 +85,15 @@ TEST(SceneQuery, AnswersAlikeOnAnyNumberOfThreads) {
 
 TEST(SceneQuery, NamesTheFirstInstanceWhosePaletteAThreadRefused) {
   const scenes::Scene scene = row(300);
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  sample_palettes(scene, 0, scratch, palettes);
+  const auto colliders = colliders_of(scene);
+  Palettes palettes = palettes_of(scene, 0);
   for (const std::uint32_t refused : {299u, 141u, 140u})
     palettes.joints[refused][3].m[5] = std::numeric_limits<float>::quiet_NaN();
   for (const std::uint32_t threads : {1u, 2u, 4u}) {
-    SceneQuery crowd = SceneQuery::as_crowd(*colliders, threads);
+    SceneQuery crowd = SceneQuery::as_crowd(colliders, threads);
     const auto posed = crowd.set_palettes(palettes);
     ASSERT_FALSE(posed);
-    EXPECT_NE(posed.error().message.find("instances[140]"), std::string::npos)
-        << posed.error().message;
+    EXPECT_TRUE(test::contains(posed.error().message, "instances[140]"));
   }
 }
 
@@ -109,12 +102,9 @@ TEST(SceneQuery, QueriesTheCrowdInsteadOfEveryPair) {
   scene.instances.resize(2000);
   for (std::uint32_t i = 0; i < 2000; ++i)
     scene.instances[i].translation = {3.0 * (i % 50), 0, 3.0 * (i / 50)};
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  sample_palettes(scene, 0, scratch, palettes);
-  SceneQuery query(*colliders, methods::kOnDemand);
+  const auto colliders = colliders_of(scene);
+  const Palettes palettes = palettes_of(scene, 0);
+  SceneQuery query(colliders, methods::kOnDemand);
   ASSERT_TRUE(query.set_palettes(palettes));
   FrameContacts found;
   query.collide({}, found);
@@ -125,16 +115,13 @@ TEST(SceneQuery, QueriesTheCrowdInsteadOfEveryPair) {
 
 TEST(SceneQuery, RefusedPaletteNamesItsInstance) {
   const scenes::Scene scene = walkers();
-  const auto colliders = make_colliders(scene, Granularity::instance, {});
-  ASSERT_TRUE(colliders) << colliders.error().message;
-  asset::SampleScratch scratch;
-  Palettes palettes;
-  sample_palettes(scene, 0, scratch, palettes);
+  const auto colliders = colliders_of(scene);
+  Palettes palettes = palettes_of(scene, 0);
   palettes.joints[1][3].m[5] = std::numeric_limits<float>::quiet_NaN();
-  SceneQuery query(*colliders, methods::kPaper);
+  SceneQuery query(colliders, methods::kPaper);
   const auto posed = query.set_palettes(palettes);
   ASSERT_FALSE(posed);
-  EXPECT_NE(posed.error().message.find("instances[1]"), std::string::npos);
+  EXPECT_TRUE(test::contains(posed.error().message, "instances[1]"));
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #pragma once
 
+/// Scenes of creatures, with their colliders and palettes.
+
 #include "scenes/creature.hpp"
 #include "scenes/scene.hpp"
+#include "tools/pelt/scene/collider_palettes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +31,21 @@ inline scenes::Scene walkers() {
   scene.instances[1].rotation = {0, 1, 0, 0};
   scene.instances[1].velocity = {0, 0, -0.9};
   return scene;
+}
+
+inline std::vector<tools::scene::Collider> colliders_of(
+    const scenes::Scene& scene,
+    tools::scene::Granularity granularity = tools::scene::Granularity::instance) {
+  auto colliders = tools::scene::make_colliders(scene, granularity, {});
+  EXPECT_TRUE(colliders) << colliders.error().message;
+  return std::move(*colliders);
+}
+
+inline tools::scene::Palettes palettes_of(const scenes::Scene& scene, std::uint32_t frame) {
+  asset::SampleScratch scratch;
+  tools::scene::Palettes palettes;
+  tools::scene::sample_palettes(scene, frame, scratch, palettes);
+  return palettes;
 }
 
 }  // namespace pelt::test

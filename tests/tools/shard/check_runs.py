@@ -3,9 +3,12 @@
 import json
 import math
 import pathlib
+import random
 import re
 import struct
 import subprocess
+import tempfile
+import unittest
 
 # Measured times, which differ from run to run.
 MEASURED = re.compile(r"^(time|steps) .*\n", re.MULTILINE)
@@ -120,6 +123,8 @@ CASES = [
 # Options of the verdict and of the files, which `pelt merge` has, too.
 OUTCOMES = [[], ["--fail-on", "never"], ["--list", "2"]]
 
+SEED = random.randrange(2**32)
+
 
 def run(command, folder, *arguments):
     """The exit code, the summary without measured times, and the errors."""
@@ -155,3 +160,47 @@ def write_shard(path, lines):
 
 def contacts_of(files):
     return json.loads(files[0].splitlines()[-1])["totals"]["contacts"]
+
+
+class CheckTests(unittest.TestCase):
+    """Runs `command` in a folder with the scenes."""
+
+    command = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        write_scenes(self.folder)
+        self.random = random.Random(SEED)
+
+    def pelt(self, *arguments):
+        return run(self.command, self.folder, *arguments)
+
+    def refusal(self, *arguments):
+        code, out, error = self.pelt(*arguments)
+        self.assertEqual((code, out), (2, ""), error)
+        return error
+
+    def shards_of(self, check, count, name="s"):
+        """Writes the shards of a check. Returns the names of their files."""
+        files = []
+        for index in range(1, count + 1):
+            files.append(f"{name}{index}.shard")
+            code, out, error = self.pelt("check", *check, "--shard", f"{index}/{count}", "-o",
+                                         files[-1])
+            self.assertEqual(code, 0, error)
+            self.assertIn(f"shard      {index} of {count}: ", out)
+        return files
+
+    def expect_cuts_are_named(self, files):
+        """Cuts the second of two shards anywhere, and merges them."""
+        path = self.folder / files[1]
+        good = path.read_bytes()
+        cuts = {0, 1, len(good) - 1, good.rstrip().rfind(b"\n") + 1}
+        cuts |= {self.random.randrange(len(good)) for _ in range(8)}
+        for cut in sorted(cuts):
+            path.write_bytes(good[:cut])
+            error = self.refusal("merge", *files)
+            self.assertRegex(error, "s2.shard: .*: (write shard 2/2 again|give files)", (SEED, cut))
+        path.write_bytes(good)

@@ -7,12 +7,8 @@
 namespace pelt::test {
 namespace {
 
-CheckFile bounds_of(const TestFolder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "bounds");
-  arguments.insert(arguments.end(), {"--jsonl", "-"});
-  const Ended run = run_pelt(folder, arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  return parse_check_file(run.out);
+CheckFile bounds_of(const TestFolder& folder, const Words& words) {
+  return answer_of(folder, 0, joined({"bounds"}, words));
 }
 
 /// The box of a mesh's triangles, in the format of the file.
@@ -53,8 +49,7 @@ bool encloses(const json& sphere, std::span<const Vec3> positions) {
 }
 
 TEST(BoundsVerb, EnclosesWhatPoseWrites) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile exact = bounds_of(folder, {"scene.json", "--exact"});
   const CheckFile guaranteed = bounds_of(folder, {"scene.json"});
   EXPECT_EQ(exact.header["format"], "pelt-bounds");
@@ -77,8 +72,7 @@ TEST(BoundsVerb, EnclosesWhatPoseWrites) {
 }
 
 TEST(BoundsVerb, TotalsAreOfAllFrames) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile file = bounds_of(folder, {"scene.json", "--frames", "2:9:3"});
   ASSERT_EQ(file.frames.size(), 3u);
   EXPECT_EQ(file.totals["totals"]["frames"], 3);
@@ -91,12 +85,11 @@ TEST(BoundsVerb, TotalsAreOfAllFrames) {
 }
 
 TEST(BoundsVerb, PartsAndJointsTogetherAreTheInstance) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const std::vector<std::string> scene = {"strip.glb", "--clip", "bend",
                                           "--frames",  "11:12",  "--exact"};
   const auto boxes_by = [&](const std::string& by) {
-    std::vector<std::string> arguments = scene;
+    Words arguments = scene;
     arguments.insert(arguments.end(), {"--by", by});
     return bounds_of(folder, arguments).frames[0]["bounds"];
   };
@@ -112,15 +105,14 @@ TEST(BoundsVerb, PartsAndJointsTogetherAreTheInstance) {
 }
 
 TEST(BoundsVerb, SummaryNamesWhatIsBounded) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_strip(folder, "strip.glb");
   const Ended limbs = run_pelt(folder, {"bounds", "scene.json"});
   for (const char* words : {"2 instances", "guaranteed, in 12 frames", "one 0", "two 1", "radius"})
-    EXPECT_NE(limbs.out.find(words), std::string::npos) << words << " is not in\n" << limbs.out;
+    EXPECT_TRUE(contains(limbs.out, words));
   const Ended joints = run_pelt(folder, {"bounds", "strip.glb", "--by", "joint", "--exact"});
   for (const char* words : {"exact, in 1 frame", "strip 0 lower"})
-    EXPECT_NE(joints.out.find(words), std::string::npos) << words << " is not in\n" << joints.out;
+    EXPECT_TRUE(contains(joints.out, words));
 }
 
 }  // namespace

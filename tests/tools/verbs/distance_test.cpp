@@ -10,12 +10,8 @@
 namespace pelt::test {
 namespace {
 
-CheckFile distances_of(const TestFolder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "distance");
-  arguments.insert(arguments.end(), {"--jsonl", "-"});
-  const Ended run = run_pelt(folder, arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  return parse_check_file(run.out);
+CheckFile distances_of(const TestFolder& folder, const Words& words) {
+  return answer_of(folder, 0, joined({"distance"}, words));
 }
 
 GlbFile posed_frame(const TestFolder& folder, int frame) {
@@ -57,8 +53,7 @@ bool is_at(const json& point, const Triangle& triangle, std::span<const Vec3> po
 }
 
 TEST(DistanceVerb, ReportsWhereThePairsAreClosest) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile file = distances_of(folder, {"scene.json"});
   EXPECT_EQ(file.header["format"], "pelt-distance");
   ASSERT_EQ(file.frames.size(), 12u);
@@ -83,8 +78,7 @@ TEST(DistanceVerb, ReportsWhereThePairsAreClosest) {
 }
 
 TEST(DistanceVerb, IsZeroWhereCheckFindsContact) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile distances = distances_of(folder, {"scene.json"});
   const CheckFile contacts =
       parse_check_file(run_pelt(folder, {"check", "scene.json", "--jsonl", "-", "--pairs"}).out);
@@ -102,8 +96,7 @@ TEST(DistanceVerb, IsZeroWhereCheckFindsContact) {
 }
 
 TEST(DistanceVerb, LeavesOutPairsThatAreNotWithin) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile all = distances_of(folder, {"scene.json"});
   const CheckFile some = distances_of(folder, {"scene.json", "--within", "0.2"});
   std::size_t left_out = 0;
@@ -121,30 +114,26 @@ TEST(DistanceVerb, LeavesOutPairsThatAreNotWithin) {
 }
 
 TEST(DistanceVerb, SummaryNamesTheClosestPlaces) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   write_strip(folder, "strip.glb");
   const Ended run = run_pelt(folder, {"distance", "scene.json", "--frames", "0:2"});
   for (const char* words : {"2 instances", "least distances", "frame 1", "one 0 limb (joint "})
-    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+    EXPECT_TRUE(contains(run.out, words));
   const Ended far =
       run_pelt(folder, {"distance", "scene.json", "--frames", "0:1", "--within", "0"});
-  EXPECT_NE(far.out.find("nothing is within that distance"), std::string::npos) << far.out;
+  EXPECT_TRUE(contains(far.out, "nothing is within that distance"));
   const Ended alone = run_pelt(folder, {"distance", "strip.glb"});
-  EXPECT_NE(alone.out.find("nothing can touch: none is tested against itself; --by part"),
-            std::string::npos)
-      << alone.out;
+  EXPECT_TRUE(contains(alone.out, "nothing can touch: none is tested against itself; --by part"));
   const Ended parts = run_pelt(folder, {"distance", "strip.glb", "--by", "part"});
-  EXPECT_NE(parts.out.find("strip 0 fan ("), std::string::npos) << parts.out;
+  EXPECT_TRUE(contains(parts.out, "strip 0 fan ("));
 }
 
 TEST(DistanceVerb, ListsAsManyPairsAsTheOptionSays) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const auto listed = [&](const std::string& rows) {
-    const Ended run = run_pelt(folder, {"distance", "strip.glb", "strip.glb", "strip.glb", "--at",
-                                        "0,0,0", "--at", "0,5,0", "--at", "0,9,0", "--list", rows});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const Ended run = run_pelt(folder, 0,
+                               {"distance", "strip.glb", "strip.glb", "strip.glb", "--at", "0,0,0",
+                                "--at", "0,5,0", "--at", "0,9,0", "--list", rows});
     const std::string list = run.out.substr(run.out.find("least distances"));
     std::size_t count = 0;
     for (std::size_t at = list.find("  frame 0  "); at != list.npos;
@@ -154,25 +143,24 @@ TEST(DistanceVerb, ListsAsManyPairsAsTheOptionSays) {
   };
   const auto [one, words_of_one] = listed("1");
   EXPECT_EQ(one, 1u) << words_of_one;
-  EXPECT_NE(words_of_one.find("... and more: --list 2"), std::string::npos) << words_of_one;
+  EXPECT_TRUE(contains(words_of_one, "... and more: --list 2"));
   const auto [all, words_of_all] = listed("3");
   EXPECT_EQ(all, 3u) << words_of_all;
-  EXPECT_EQ(words_of_all.find("and more"), std::string::npos) << words_of_all;
+  EXPECT_FALSE(contains(words_of_all, "and more"));
 }
 
 json triangles_within(const TestFolder& folder, const std::string& clearance) {
-  const Ended run = run_pelt(folder, {"check", "scene.json", "--clearance", clearance, "--frames",
-                                      "0:8", "--jsonl", "-", "--pairs"});
-  EXPECT_EQ(run.exit_code, 1) << run.err;
   json frames = json::array();
-  for (const json& frame : parse_check_file(run.out).frames)
+  for (const json& frame :
+       answer_of(folder, 1,
+                 {"check", "scene.json", "--clearance", clearance, "--frames", "0:8", "--pairs"})
+           .frames)
     frames.push_back(frame["pairs"].empty() ? json::array() : frame["pairs"][0]["triangles"]);
   return frames;
 }
 
 TEST(Clearance, GrowsFromTheContacts) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const Ended run =
       run_pelt(folder, {"check", "scene.json", "--frames", "0:8", "--jsonl", "-", "--pairs"});
   const std::vector<json> contacts = parse_check_file(run.out).frames;
@@ -188,8 +176,7 @@ TEST(Clearance, GrowsFromTheContacts) {
 }
 
 TEST(Clearance, FindsAPairExactlyFromItsDistanceOn) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const json pair = distances_of(folder, {"scene.json", "--frames", "2:3"}).frames[0]["pairs"][0];
   const double distance = pair["distance"];
   ASSERT_GT(distance, 0);
@@ -204,17 +191,15 @@ TEST(Clearance, FindsAPairExactlyFromItsDistanceOn) {
 }
 
 TEST(Clearance, IsNamedInHeaderAndSummary) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const Ended run =
       run_pelt(folder, {"check", "scene.json", "--clearance", "0.25", "--jsonl", "-"});
   EXPECT_EQ(parse_check_file(run.out).header["options"]["clearance"], 0.25);
-  EXPECT_NE(run.err.find("counts triangles at most 0.25 apart"), std::string::npos) << run.err;
+  EXPECT_TRUE(contains(run.err, "counts triangles at most 0.25 apart"));
 }
 
 TEST(DistanceVerb, ReportsWhatIsClosestToPoints) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile file =
       distances_of(folder, {"scene.json", "--from", "-0.5,0.5,0.4", "--from", "0,2,0"});
   EXPECT_EQ(file.header["options"]["from"].size(), 2u);
@@ -242,8 +227,7 @@ TEST(DistanceVerb, ReportsWhatIsClosestToPoints) {
 }
 
 TEST(DistanceVerb, LeavesOutPlacesThatAreNotWithin) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile file = distances_of(folder, {"scene.json", "--from", "9,0,0", "--within", "1"});
   for (const json& frame : file.frames) EXPECT_EQ(frame["points"][0]["closest"], json::array());
   EXPECT_EQ(file.totals["totals"]["least"], json::array());

@@ -13,11 +13,10 @@ std::vector<std::byte> bytes_of(const std::string& text) {
 TEST(Prepare, WritesWhatTheLibraryLoads) {
   const TestFolder folder;
   write_bytes(folder / "limb.glb", swaying_limb(20));
-  const Ended run = run_pelt(folder, {"prepare", "limb.glb", "-o", "limb.pelt"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Ended run = run_pelt(folder, 0, {"prepare", "limb.glb", "-o", "limb.pelt"});
   for (const char* words : {"limb.glb: ", " triangles", "6 poses of 1 clip", "wrote limb.pelt",
                             " bytes", "build", " times faster"})
-    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+    EXPECT_TRUE(contains(run.out, words));
   const auto file = bytes_of(read_text(folder / "limb.pelt"));
   const Result<SkinnedModel> model = load_model(file);
   ASSERT_TRUE(model) << model.error().message;
@@ -30,16 +29,14 @@ TEST(Prepare, WritesTheSameBytesAgain) {
   const TestFolder folder;
   write_bytes(folder / "limb.glb", swaying_limb(20));
   for (const char* name : {"one.pelt", "two.pelt"})
-    ASSERT_EQ(run_pelt(folder, {"prepare", "limb.glb", "-o", name}).exit_code, 0);
+    run_pelt(folder, 0, {"prepare", "limb.glb", "-o", name});
   EXPECT_EQ(read_text(folder / "one.pelt"), read_text(folder / "two.pelt"));
 }
 
 TEST(Prepare, InfoPrintsTheContents) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
-  ASSERT_EQ(run_pelt(folder, {"prepare", "strip.glb", "-o", "strip.pelt"}).exit_code, 0);
-  const Ended run = run_pelt(folder, {"info", "strip.pelt", "--json"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const StripFolder folder;
+  run_pelt(folder, 0, {"prepare", "strip.glb", "-o", "strip.pelt"});
+  const Ended run = run_pelt(folder, 0, {"info", "strip.pelt", "--json"});
   json info = json::parse(run.out);
   EXPECT_EQ(info["hash"].get<std::string>().size(), 16u);
   EXPECT_EQ(info["prepared"]["bytes"], read_text(folder / "strip.pelt").size());
@@ -51,41 +48,34 @@ TEST(Prepare, InfoPrintsTheContents) {
     "renormalised_vertices": 0, "merged_influences": 0, "joint_count": 3,
     "nodes": 1, "clusters": 1})"));
   const Ended told = run_pelt(folder, {"info", "strip.pelt"});
-  EXPECT_NE(told.out.find("version 4 of the format"), std::string::npos) << told.out;
+  EXPECT_TRUE(contains(told.out, "version 4 of the format"));
 }
 
 TEST(Prepare, RefusesWhatIsDamaged) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
-  ASSERT_EQ(run_pelt(folder, {"prepare", "strip.glb", "-o", "strip.pelt"}).exit_code, 0);
+  const StripFolder folder;
+  run_pelt(folder, 0, {"prepare", "strip.glb", "-o", "strip.pelt"});
   std::string text = read_text(folder / "strip.pelt");
   text.back() ^= 1;
   write_text(folder / "strip.pelt", text);
-  const Ended run = run_pelt(folder, {"info", "strip.pelt"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("strip.pelt: the prepared model is damaged"), std::string::npos)
-      << run.err;
+  const Ended run = run_pelt(folder, 2, {"info", "strip.pelt"});
+  EXPECT_TRUE(contains(run.err, "strip.pelt: the prepared model is damaged"));
 }
 
 TEST(Prepare, WhereASkeletonIsNeededTheFileIsRefusedWithAdvice) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
-  ASSERT_EQ(run_pelt(folder, {"prepare", "strip.glb", "-o", "strip.pelt"}).exit_code, 0);
+  const StripFolder folder;
+  run_pelt(folder, 0, {"prepare", "strip.glb", "-o", "strip.pelt"});
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"check", "strip.pelt"},
         std::vector<std::string>{"prepare", "strip.pelt", "-o", "again.pelt"}}) {
-    const Ended run = run_pelt(folder, arguments);
-    EXPECT_EQ(run.exit_code, 2);
-    EXPECT_NE(run.err.find("strip.pelt: is a prepared model"), std::string::npos) << run.err;
+    const Ended run = run_pelt(folder, 2, arguments);
+    EXPECT_TRUE(contains(run.err, "strip.pelt: is a prepared model"));
   }
 }
 
 TEST(Prepare, NamesWhatItCannotWrite) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
-  const Ended run = run_pelt(folder, {"prepare", "strip.glb", "-o", "no/folder/a.pelt"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("no/folder/a.pelt: cannot be written"), std::string::npos) << run.err;
+  const StripFolder folder;
+  const Ended run = run_pelt(folder, 2, {"prepare", "strip.glb", "-o", "no/folder/a.pelt"});
+  EXPECT_TRUE(contains(run.err, "no/folder/a.pelt: cannot be written"));
 }
 
 }  // namespace

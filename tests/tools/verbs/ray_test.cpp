@@ -11,12 +11,8 @@ namespace {
 
 using detail::Vec3d;
 
-CheckFile rays_of(const TestFolder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "ray");
-  arguments.insert(arguments.end(), {"--jsonl", "-"});
-  const Ended run = run_pelt(folder, arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  return parse_check_file(run.out);
+CheckFile rays_of(const TestFolder& folder, const Words& words) {
+  return answer_of(folder, 0, joined({"ray"}, words));
 }
 
 struct FirstHit {
@@ -44,8 +40,7 @@ FirstHit first_hit(const Vec3d& from, const Vec3d& direction, std::span<const Ve
 }
 
 TEST(RayVerb, FindsTheFirstOfAllTriangles) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile file =
       rays_of(folder, {"scene.json", "--from", "-2,0.513,0.021", "--to", "2,0.487,0.017"});
   EXPECT_EQ(file.header["format"], "pelt-ray");
@@ -78,8 +73,7 @@ TEST(RayVerb, FindsTheFirstOfAllTriangles) {
 }
 
 TEST(RayVerb, NamesPartAndJoints) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   // The fan is at x = 0.5, on a node of its own.
   const CheckFile file =
       rays_of(folder, {"strip.glb", "--from", "2,1.8,0.3", "--to", "1,1.8,0.3", "--beyond",
@@ -96,8 +90,7 @@ TEST(RayVerb, NamesPartAndJoints) {
 }
 
 TEST(RayVerb, EndsAtToUnlessItGoesBeyond) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   const std::vector<std::string> ray = {"strip.glb", "--from", "2,1.8,0.3", "--to", "1,1.8,0.3"};
   const CheckFile file = rays_of(folder, ray);
   EXPECT_EQ(file.frames[0]["rays"][0]["hits"], json::array());
@@ -106,8 +99,7 @@ TEST(RayVerb, EndsAtToUnlessItGoesBeyond) {
 }
 
 TEST(RayVerb, FacingChoosesOneSide) {
-  const TestFolder folder;
-  write_strip(folder, "strip.glb");
+  const StripFolder folder;
   std::size_t hits = 0;
   for (const char* facing : {"front", "back"}) {
     const CheckFile file = rays_of(
@@ -118,14 +110,13 @@ TEST(RayVerb, FacingChoosesOneSide) {
 }
 
 TEST(RayVerb, SummaryHasTheFirstHit) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const Ended run = run_pelt(folder, {"ray", "scene.json", "--from", "-2,0.513,0.021", "--to",
-                                      "2,0.487,0.017", "--from", "0,5,0", "--to", "1,5,0"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const LimbsFolder folder;
+  const Ended run = run_pelt(folder, 0,
+                             {"ray", "scene.json", "--from", "-2,0.513,0.021", "--to",
+                              "2,0.487,0.017", "--from", "0,5,0", "--to", "1,5,0"});
   for (const char* words : {"2 instances", "ray 0", "hits in 12 of 12 frames: 0-11", "first hit",
                             "one 0 limb, triangle", "ray 1      hits nothing in 12 frames"})
-    EXPECT_NE(run.out.find(words), std::string::npos) << words << " is not in\n" << run.out;
+    EXPECT_TRUE(contains(run.out, words));
 }
 
 }  // namespace

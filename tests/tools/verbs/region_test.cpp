@@ -8,12 +8,8 @@
 namespace pelt::test {
 namespace {
 
-CheckFile regions_of(const TestFolder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"region", "scene.json"});
-  arguments.insert(arguments.end(), {"--jsonl", "-"});
-  const Ended run = run_pelt(folder, arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  return parse_check_file(run.out);
+CheckFile regions_of(const TestFolder& folder, const Words& words) {
+  return answer_of(folder, 0, joined({"region", "scene.json"}, words));
 }
 
 GlbFile frame_as_posed(const TestFolder& folder, int frame) {
@@ -35,8 +31,7 @@ std::vector<std::uint32_t> triangles_beside(const GlbFile& file, int instance, d
 }
 
 TEST(RegionVerb, ListsTheTrianglesInABox) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   // Everything on one side of the plane x = 0, which the limbs cross.
   const CheckFile file = regions_of(folder, {"--box", "0,-9,-9,9,9,9", "--triangles"});
   EXPECT_EQ(file.header["format"], "pelt-region");
@@ -66,8 +61,7 @@ TEST(RegionVerb, ListsTheTrianglesInABox) {
 }
 
 TEST(RegionVerb, AcceptsEveryKindOfRegion) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const auto first = [&](const std::vector<std::string>& region) {
     const CheckFile file = regions_of(folder, region);
     return file.frames[0]["placements"][0]["placement"].get<std::string>();
@@ -82,8 +76,7 @@ TEST(RegionVerb, AcceptsEveryKindOfRegion) {
 }
 
 TEST(RegionVerb, WritesTheFieldOfViewOfACamera) {
-  const TestFolder folder;
-  write_limbs(folder);
+  const LimbsFolder folder;
   const CheckFile given =
       regions_of(folder, {"--camera", "-0.5,0.5,9,-0.5,0.5,0", "--angle", "3", "--aspect", "1.25"});
   EXPECT_EQ(given.header["options"]["camera"], json({-0.5, 0.5, 9, -0.5, 0.5, 0}));
@@ -96,12 +89,9 @@ TEST(RegionVerb, WritesTheFieldOfViewOfACamera) {
 }
 
 TEST(RegionVerb, RefusesWhatIsNoRegion) {
-  const TestFolder folder;
-  write_limbs(folder);
-  const auto refusal = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"region", "scene.json"});
-    const Ended run = run_pelt(folder, arguments);
-    EXPECT_EQ(run.exit_code, 2);
+  const LimbsFolder folder;
+  const auto refusal = [&](const Words& arguments) {
+    const Ended run = run_pelt(folder, 2, joined({"region", "scene.json"}, arguments));
     return run.err;
   };
   EXPECT_EQ(refusal({}),
