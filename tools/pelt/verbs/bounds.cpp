@@ -56,34 +56,6 @@ struct Bounded {
   float largest_radius = 0;
 };
 
-class BoundsQuery final : public query::FrameQuery {
- public:
-  BoundsQuery(const scene::StagedScene& staged, const BoundsSettings& settings);
-
-  QueryStats ask(std::span<Pose> poses) override;
-  void keep(std::uint32_t frame) override;
-
-  const char* format() const override { return "pelt-bounds"; }
-  nlohmann::ordered_json options_json() const override;
-  void write_frame(scene::JsonLine& line) const override;
-  void write_totals(scene::JsonLine& line) const override;
-  void print(const arguments::FrameRange& frames, std::ostream& words) const override;
-
- private:
-  void add_joints(std::uint32_t collider, const SkinnedModel& model);
-  QueryStats find_joint_box(const Pose& pose, const VertexGroups& groups, std::uint32_t joint,
-                            Box& box) const;
-  std::string joint_of(const Bounded& bounded) const;
-  std::string name_of(const Bounded& bounded) const;
-  nlohmann::ordered_json named_json(const Bounded& bounded) const;
-  void print_boxes(std::ostream& words) const;
-
-  scene::StagedScene staged_;
-  BoundsSettings settings_;
-  std::vector<VertexGroups> groups_;  // of each collider, by joint only
-  std::vector<Bounded> bounded_;
-};
-
 Box united(const Box& a, const Box& b) {
   return {
       {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
@@ -94,125 +66,137 @@ ordered_json box_json(const Box& box) {
   return {{"low", scene::vector_json(box.low)}, {"high", scene::vector_json(box.high)}};
 }
 
-BoundsQuery::BoundsQuery(const scene::StagedScene& staged, const BoundsSettings& settings)
-    : staged_(staged), settings_(settings) {
-  const std::span<const scene::Collider> colliders = staged.colliders;
-  for (std::uint32_t c = 0; c < colliders.size(); ++c) {
-    if (settings.by == BoundsBy::joint) {
-      add_joints(c, colliders[c].model);
-    } else {
-      bounded_.push_back({.collider = c});
+class BoundsQuery final : public query::FrameQuery {
+ public:
+  BoundsQuery(const scene::StagedScene& staged, const BoundsSettings& settings)
+      : staged_(staged), settings_(settings) {
+    const std::span<const scene::Collider> colliders = staged.colliders;
+    for (std::uint32_t c = 0; c < colliders.size(); ++c) {
+      if (settings.by == BoundsBy::joint) {
+        add_joints(c, colliders[c].model);
+      } else {
+        bounded_.push_back({.collider = c});
+      }
     }
   }
-}
 
-QueryStats BoundsQuery::ask(std::span<Pose> poses) {
-  QueryStats work;
-  for (Bounded& bounded : bounded_) {
-    Pose& pose = poses[bounded.collider];
-    if (bounded.joint) {
-      work += find_joint_box(pose, groups_[bounded.collider], *bounded.joint, bounded.box);
-    } else {
-      Bounds found;
-      work += settings_.kind == BoundsKind::exact ? exact_bounds(pose, found)
-                                                  : pelt::bounds(pose, found);
-      bounded.box = found.box;
-      bounded.sphere = found.sphere;
+  QueryStats ask(std::span<Pose> poses) override {
+    QueryStats work;
+    for (Bounded& bounded : bounded_) {
+      Pose& pose = poses[bounded.collider];
+      if (bounded.joint) {
+        work += find_joint_box(pose, groups_[bounded.collider], *bounded.joint, bounded.box);
+      } else {
+        Bounds found;
+        work += settings_.kind == BoundsKind::exact ? exact_bounds(pose, found)
+                                                    : pelt::bounds(pose, found);
+        bounded.box = found.box;
+        bounded.sphere = found.sphere;
+      }
+    }
+    return work;
+  }
+
+  void keep(std::uint32_t) override {
+    for (Bounded& bounded : bounded_) {
+      bounded.all_frames = united(bounded.all_frames, bounded.box);
+      if (bounded.sphere)
+        bounded.largest_radius = std::max(bounded.largest_radius, bounded.sphere->radius);
     }
   }
-  return work;
-}
 
-void BoundsQuery::keep(std::uint32_t) {
-  for (Bounded& bounded : bounded_) {
-    bounded.all_frames = united(bounded.all_frames, bounded.box);
-    if (bounded.sphere)
-      bounded.largest_radius = std::max(bounded.largest_radius, bounded.sphere->radius);
+  const char* format() const override { return "pelt-bounds"; }
+
+  ordered_json options_json() const override {
+    constexpr const char* kNames[] = {"instance", "part", "joint"};
+    return {{"by", kNames[static_cast<int>(settings_.by)]},
+            {"exact", settings_.kind == BoundsKind::exact}};
   }
-}
 
-void BoundsQuery::add_joints(std::uint32_t collider, const SkinnedModel& model) {
-  groups_.push_back(group_by_joint(model));
-  for (std::uint32_t j = 0; j < groups_.back().count(); ++j) {
-    if (groups_.back().vertex_count(j) > 0) bounded_.push_back({.collider = collider, .joint = j});
+  void write_frame(scene::JsonLine& line) const override {
+    line.begin_list("bounds");
+    for (const Bounded& b : bounded_) {
+      ordered_json entry = named_json(b);
+      entry["box"] = box_json(b.box);
+      if (b.sphere)
+        entry["sphere"] = {{"centre", scene::vector_json(b.sphere->centre)},
+                           {"radius", b.sphere->radius}};
+      line.item(entry);
+    }
+    line.end_list();
   }
-}
 
-QueryStats BoundsQuery::find_joint_box(const Pose& pose, const VertexGroups& groups,
-                                       std::uint32_t joint, Box& box) const {
-  return settings_.kind == BoundsKind::exact ? exact_group_bounds(pose, groups, joint, box)
-                                             : group_bounds(pose, groups, joint, box);
-}
-
-std::string BoundsQuery::joint_of(const Bounded& bounded) const {
-  return scenes::joint_name(staged_.asset_of(bounded.collider), *bounded.joint);
-}
-
-std::string BoundsQuery::name_of(const Bounded& bounded) const {
-  const std::string name = scene::collider_name(staged_, staged_.colliders[bounded.collider]);
-  return bounded.joint ? name + " " + text::printable_name(joint_of(bounded)) : name;
-}
-
-ordered_json BoundsQuery::named_json(const Bounded& bounded) const {
-  ordered_json entry = {{"index", bounded.collider}};
-  if (bounded.joint) entry["joint"] = joint_of(bounded);
-  return entry;
-}
-
-ordered_json BoundsQuery::options_json() const {
-  constexpr const char* kNames[] = {"instance", "part", "joint"};
-  return {{"by", kNames[static_cast<int>(settings_.by)]},
-          {"exact", settings_.kind == BoundsKind::exact}};
-}
-
-void BoundsQuery::write_frame(scene::JsonLine& line) const {
-  line.begin_list("bounds");
-  for (const Bounded& b : bounded_) {
-    ordered_json entry = named_json(b);
-    entry["box"] = box_json(b.box);
-    if (b.sphere)
-      entry["sphere"] = {{"centre", scene::vector_json(b.sphere->centre)},
-                         {"radius", b.sphere->radius}};
-    line.item(entry);
+  void write_totals(scene::JsonLine& line) const override {
+    line.begin_list("bounds");
+    for (const Bounded& b : bounded_) {
+      ordered_json entry = named_json(b);
+      entry["box"] = box_json(b.all_frames);
+      line.item(entry);
+    }
+    line.end_list();
   }
-  line.end_list();
-}
 
-void BoundsQuery::write_totals(scene::JsonLine& line) const {
-  line.begin_list("bounds");
-  for (const Bounded& b : bounded_) {
-    ordered_json entry = named_json(b);
-    entry["box"] = box_json(b.all_frames);
-    line.item(entry);
+  void print(const arguments::FrameRange& frames, std::ostream& words) const override {
+    scene::label(words, "bounds") << (settings_.kind == BoundsKind::exact ? "exact" : "guaranteed")
+                                  << ", in " << text::counted(frames.frames().size(), "frame")
+                                  << '\n';
+    print_boxes(words);
   }
-  line.end_list();
-}
 
-void BoundsQuery::print(const arguments::FrameRange& frames, std::ostream& words) const {
-  scene::label(words, "bounds") << (settings_.kind == BoundsKind::exact ? "exact" : "guaranteed")
-                                << ", in " << text::counted(frames.frames().size(), "frame")
-                                << '\n';
-  print_boxes(words);
-}
-
-void BoundsQuery::print_boxes(std::ostream& out) const {
-  std::vector<std::string> names;
-  std::size_t width = 0;
-  for (const Bounded& b : bounded_) {
-    names.push_back(name_of(b));
-    width = std::max(width, names.back().size());
+ private:
+  void add_joints(std::uint32_t collider, const SkinnedModel& model) {
+    groups_.push_back(group_by_joint(model));
+    for (std::uint32_t j = 0; j < groups_.back().count(); ++j) {
+      if (groups_.back().vertex_count(j) > 0)
+        bounded_.push_back({.collider = collider, .joint = j});
+    }
   }
-  out << "\nminimum and maximum x, y, z over all frames"
-      << (bounded_.empty() || !bounded_[0].sphere ? "" : "; largest radius") << '\n';
-  for (std::size_t i = 0; i < bounded_.size(); ++i) {
-    const Bounded& b = bounded_[i];
-    out << "  " << std::left << std::setw(static_cast<int>(width)) << names[i] << "  "
-        << scene::coordinates(b.all_frames.low) << "  " << scene::coordinates(b.all_frames.high);
-    if (b.sphere) out << "  " << text::fixed(static_cast<double>(b.largest_radius), 3);
+
+  QueryStats find_joint_box(const Pose& pose, const VertexGroups& groups, std::uint32_t joint,
+                            Box& box) const {
+    return settings_.kind == BoundsKind::exact ? exact_group_bounds(pose, groups, joint, box)
+                                               : group_bounds(pose, groups, joint, box);
+  }
+
+  std::string joint_of(const Bounded& bounded) const {
+    return scenes::joint_name(staged_.asset_of(bounded.collider), *bounded.joint);
+  }
+
+  std::string name_of(const Bounded& bounded) const {
+    const std::string name = scene::collider_name(staged_, staged_.colliders[bounded.collider]);
+    return bounded.joint ? name + " " + text::printable_name(joint_of(bounded)) : name;
+  }
+
+  ordered_json named_json(const Bounded& bounded) const {
+    ordered_json entry = {{"index", bounded.collider}};
+    if (bounded.joint) entry["joint"] = joint_of(bounded);
+    return entry;
+  }
+
+  void print_boxes(std::ostream& out) const {
+    std::vector<std::string> names;
+    std::size_t width = 0;
+    for (const Bounded& b : bounded_) {
+      names.push_back(name_of(b));
+      width = std::max(width, names.back().size());
+    }
+    out << "\nminimum and maximum x, y, z over all frames"
+        << (bounded_.empty() || !bounded_[0].sphere ? "" : "; largest radius") << '\n';
+    for (std::size_t i = 0; i < bounded_.size(); ++i) {
+      const Bounded& b = bounded_[i];
+      out << "  " << std::left << std::setw(static_cast<int>(width)) << names[i] << "  "
+          << scene::coordinates(b.all_frames.low) << "  " << scene::coordinates(b.all_frames.high);
+      if (b.sphere) out << "  " << text::fixed(static_cast<double>(b.largest_radius), 3);
+      out << '\n';
+    }
     out << '\n';
   }
-  out << '\n';
-}
+
+  scene::StagedScene staged_;
+  BoundsSettings settings_;
+  std::vector<VertexGroups> groups_;  // of each collider, by joint only
+  std::vector<Bounded> bounded_;
+};
 
 struct Arguments {
   scene::QueryArguments query;

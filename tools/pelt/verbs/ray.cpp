@@ -79,30 +79,6 @@ struct RayTally {
   }
 };
 
-class RayQuery final : public query::FrameQuery {
- public:
-  RayQuery(const scene::StagedScene& staged, const RaySettings& settings)
-      : staged_(staged),
-        settings_(settings),
-        hits_(settings.rays.size(), staged.colliders.size()),
-        tallies_(settings.rays.size()) {}
-
-  QueryStats ask(std::span<Pose> poses) override;
-  void keep(std::uint32_t frame) override;
-
-  const char* format() const override { return "pelt-ray"; }
-  nlohmann::ordered_json options_json() const override;
-  void write_frame(scene::JsonLine& line) const override;
-  void write_totals(scene::JsonLine& line) const override;
-  void print(const arguments::FrameRange& frames, std::ostream& words) const override;
-
- private:
-  scene::StagedScene staged_;
-  RaySettings settings_;
-  RayHits hits_;
-  std::vector<RayTally> tallies_;  // of each ray
-};
-
 Vec3 point_of(const Ray& ray, float t) {
   const auto at = [t](float origin, float direction) {
     return static_cast<float>(double{origin} + double{t} * double{direction});
@@ -197,47 +173,64 @@ void print_ray(const HitNames& names, const RaySettings& settings, std::size_t n
   print_first(names, settings.rays[number], *tally.first_hit, out);
 }
 
-QueryStats RayQuery::ask(std::span<Pose> poses) {
-  QueryStats work;
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    work += cast(poses[i], settings_.rays, hits_.of_instance(i), settings_.facing);
-  return work;
-}
+class RayQuery final : public query::FrameQuery {
+ public:
+  RayQuery(const scene::StagedScene& staged, const RaySettings& settings)
+      : staged_(staged),
+        settings_(settings),
+        hits_(settings.rays.size(), staged.colliders.size()),
+        tallies_(settings.rays.size()) {}
 
-void RayQuery::keep(std::uint32_t frame) {
-  for (std::size_t r = 0; r < tallies_.size(); ++r) tallies_[r].add(frame, hits_, r);
-}
+  QueryStats ask(std::span<Pose> poses) override {
+    QueryStats work;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      work += cast(poses[i], settings_.rays, hits_.of_instance(i), settings_.facing);
+    return work;
+  }
 
-ordered_json RayQuery::options_json() const {
-  constexpr const char* kFacings[] = {"both", "front", "back"};
-  ordered_json rays = ordered_json::array();
-  for (const Ray& ray : settings_.rays)
-    rays.push_back({{"from", scene::vector_json(ray.origin)},
-                    {"direction", scene::vector_json(ray.direction)}});
-  return {{"rays", std::move(rays)},
-          {"beyond", settings_.rays[0].t_max > 1},
-          {"facing", kFacings[static_cast<int>(settings_.facing)]}};
-}
+  void keep(std::uint32_t frame) override {
+    for (std::size_t r = 0; r < tallies_.size(); ++r) tallies_[r].add(frame, hits_, r);
+  }
 
-void RayQuery::write_frame(scene::JsonLine& line) const {
-  const HitNames names(staged_);
-  line.begin_list("rays");
-  for (std::size_t r = 0; r < hits_.ray_count(); ++r)
-    line.item(ray_json(names, settings_.rays[r], r, hits_));
-  line.end_list();
-}
+  const char* format() const override { return "pelt-ray"; }
 
-void RayQuery::write_totals(scene::JsonLine& line) const {
-  line.begin_list("frames_hit");
-  for (const RayTally& tally : tallies_) line.item(tally.frames.size());
-  line.end_list();
-}
+  ordered_json options_json() const override {
+    constexpr const char* kFacings[] = {"both", "front", "back"};
+    ordered_json rays = ordered_json::array();
+    for (const Ray& ray : settings_.rays)
+      rays.push_back({{"from", scene::vector_json(ray.origin)},
+                      {"direction", scene::vector_json(ray.direction)}});
+    return {{"rays", std::move(rays)},
+            {"beyond", settings_.rays[0].t_max > 1},
+            {"facing", kFacings[static_cast<int>(settings_.facing)]}};
+  }
 
-void RayQuery::print(const arguments::FrameRange& frames, std::ostream& words) const {
-  const HitNames names(staged_);
-  for (std::size_t r = 0; r < tallies_.size(); ++r)
-    print_ray(names, settings_, r, tallies_[r], frames, words);
-}
+  void write_frame(scene::JsonLine& line) const override {
+    const HitNames names(staged_);
+    line.begin_list("rays");
+    for (std::size_t r = 0; r < hits_.ray_count(); ++r)
+      line.item(ray_json(names, settings_.rays[r], r, hits_));
+    line.end_list();
+  }
+
+  void write_totals(scene::JsonLine& line) const override {
+    line.begin_list("frames_hit");
+    for (const RayTally& tally : tallies_) line.item(tally.frames.size());
+    line.end_list();
+  }
+
+  void print(const arguments::FrameRange& frames, std::ostream& words) const override {
+    const HitNames names(staged_);
+    for (std::size_t r = 0; r < tallies_.size(); ++r)
+      print_ray(names, settings_, r, tallies_[r], frames, words);
+  }
+
+ private:
+  scene::StagedScene staged_;
+  RaySettings settings_;
+  RayHits hits_;
+  std::vector<RayTally> tallies_;  // of each ray
+};
 
 struct Arguments {
   scene::QueryArguments query;
