@@ -182,23 +182,11 @@ TEST(BenchScene, MeasuresEveryMethodQueryAndCache) {
   EXPECT_NE(scene.figures[0].answer.hash, scene.figures[6].answer.hash);
 }
 
-/// Two faces that talk inside each other.
-scenes::Scene talkers() {
-  scenes::Scene scene;
-  scene.characters.push_back(*scenes::generate_character(scenes::FaceOptions{1000, 1}));
-  scene.fps = 6;
-  scene.frame_count = 12;
-  scene.instances.resize(2);
-  scene.instances[0].clip = scene.instances[1].clip = "talk";
-  scene.instances[1].translation = {0.05, 0.02, 0.01};
-  return scene;
-}
-
 TEST(BenchScene, AddsUpTheWorkOfTheFrames) {
   const auto displacements_in = [](const arguments::FrameRange& frames) {
     BenchSettings settings = settings_with({method_of(methods::kOnDemand)});
     settings.frames = frames;
-    return run(talkers(), settings).figures.value().figures[0].answer.work.displacements;
+    return run(test::talkers(1000), settings).figures.value().figures[0].answer.work.displacements;
   };
   const std::uint64_t first = displacements_in({3, 4, 1}), second = displacements_in({4, 5, 1});
   EXPECT_GT(first, 0u);

@@ -33,6 +33,19 @@ inline scenes::Scene walkers() {
   return scene;
 }
 
+/// Two faces that talk inside each other.
+inline scenes::Scene talkers(std::uint32_t triangles) {
+  scenes::Scene scene;
+  scene.characters.push_back(*scenes::generate_character(scenes::FaceOptions{triangles, 1}));
+  scene.fps = 6;
+  scene.frame_count = 12;
+  scene.instances.resize(2);
+  scene.instances[0].clip = scene.instances[1].clip = "talk";
+  scene.instances[1].translation = {0.05, 0.02, 0.01};
+  scene.instances[1].start = 0.4;
+  return scene;
+}
+
 inline std::vector<tools::scene::Collider> colliders_of(
     const scenes::Scene& scene,
     tools::scene::Granularity granularity = tools::scene::Granularity::instance) {

@@ -1,11 +1,11 @@
 #include "tools/pelt/check/tallies.hpp"
 
+#include <pelt/self_filter.hpp>
+
 #include "support/random.hpp"
 #include "tools/scene/walkers.hpp"
 
 #include <gtest/gtest.h>
-
-#include <pelt/self_filter.hpp>
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ asset::Asset two_parts() {
 }
 
 /// `instances`: the character of each one.
-scenes::Scene scene_of(const std::vector<std::uint32_t>& instances) {
+scenes::Scene scene_with(const std::vector<std::uint32_t>& instances) {
   scenes::Scene scene;
   for (const char* name : {"knight", "thief"})
     scene.characters.push_back({name, name, 0, two_parts()});
@@ -63,7 +63,7 @@ void append(std::uint32_t a, std::uint32_t b, const std::vector<Contact>& contac
 
 TEST(AlwaysTally, CountsTheContactsOfWhatContactTallyFinds) {
   Random random(2204);
-  const scenes::Scene scene = scene_of({0, 1, 0});
+  const scenes::Scene scene = scene_with({0, 1, 0});
   const auto colliders = test::colliders_of(scene);
   std::size_t rare = 0, frequent = 0;
   for (std::size_t frames = 1; frames <= 60; ++frames) {
@@ -98,7 +98,7 @@ TEST(AlwaysTally, CountsTheContactsOfWhatContactTallyFinds) {
 }
 
 TEST(AlwaysTally, CountsContactsOfTwoPartsOfOneInstance) {
-  const scenes::Scene scene = scene_of({0});
+  const scenes::Scene scene = scene_with({0});
   const auto parts = scene::make_colliders(scene, scene::Granularity::part, {});
   ASSERT_TRUE(parts) << parts.error().message;
   ASSERT_EQ(parts->size(), 2u);
@@ -111,6 +111,58 @@ TEST(AlwaysTally, CountsContactsOfTwoPartsOfOneInstance) {
   }
   EXPECT_EQ(tally.counts().contacts, 9u);
   EXPECT_EQ(tally.counts().always, 6u);
+}
+
+InsidePair contained(std::uint32_t a, std::uint32_t b, Containment containment) {
+  return {.a = a, .b = b, .containment = containment};
+}
+
+TEST(InsideTally, CountsTheFramesOfEachContainedBody) {
+  InsideTally tally;
+  const std::vector<InsidePair> both = {contained(0, 1, Containment::a_in_b),
+                                        contained(0, 2, Containment::b_in_a)};
+  tally.add(3, both);
+  tally.add(4, {});
+  tally.add(5, std::span(both).last(1));
+  tally.add(6, std::vector{contained(0, 2, Containment::a_in_b)});
+  ASSERT_EQ(tally.held.size(), 3u);
+  EXPECT_EQ(tally.held[0].inner, 0u);
+  EXPECT_EQ(tally.held[0].outer, 1u);
+  EXPECT_EQ(tally.held[0].frames, 1u);
+  EXPECT_EQ(tally.held[1].inner, 2u);
+  EXPECT_EQ(tally.held[1].outer, 0u);
+  EXPECT_EQ(tally.held[1].frames, 2u);
+  EXPECT_EQ(tally.held[1].first_frame, 3u);
+  EXPECT_EQ(tally.held[2].inner, 0u);
+  EXPECT_EQ(tally.held[2].first_frame, 6u);
+  EXPECT_EQ(tally.frames_held, (std::vector<std::uint32_t>{3, 5, 6}));
+}
+
+TEST(InsideTally, CountsEachTakeByItself) {
+  InsideTally tally;
+  const std::vector<InsidePair> pair = {contained(0, 1, Containment::a_in_b)};
+  tally.add(3, pair, 0);
+  tally.add(4, pair, 1);
+  tally.add(5, pair, 1);
+  ASSERT_EQ(tally.held.size(), 2u);
+  EXPECT_EQ(tally.held[0].take, 0u);
+  EXPECT_EQ(tally.held[0].frames, 1u);
+  EXPECT_EQ(tally.held[1].take, 1u);
+  EXPECT_EQ(tally.held[1].first_frame, 4u);
+  EXPECT_EQ(tally.held[1].frames, 2u);
+}
+
+/// Comparing all bodies with each other would take 10^11 steps, which is minutes.
+TEST(InsideTally, CountsInTimeLinearInBodies) {
+  std::vector<InsidePair> pairs;
+  for (std::uint32_t b = 1; b <= 800'000; ++b)
+    pairs.push_back(contained(0, b, Containment::b_in_a));
+  InsideTally tally;
+  tally.add(0, pairs);
+  tally.add(1, pairs);
+  ASSERT_EQ(tally.held.size(), pairs.size());
+  EXPECT_EQ(tally.held.back().inner, 800'000u);
+  EXPECT_EQ(tally.held.back().frames, 2u);
 }
 
 }  // namespace
