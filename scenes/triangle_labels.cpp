@@ -1,7 +1,6 @@
 #include "scenes/triangle_labels.hpp"
 
 #include "self/near_joints.hpp"
-#include "skin/main_joint.hpp"
 #include "skin/skin.hpp"
 #include "skin/skinned_mesh.hpp"
 

@@ -2,7 +2,7 @@
 #include "evaluation/methods/lab_methods.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 #include "skin/skin.hpp"
 #include "tools/pelt/methods/brute_force.hpp"
 

@@ -7,7 +7,7 @@
 #include <pelt/collide.hpp>
 
 #include "geometry/triangle_pair.hpp"
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 
 #include <algorithm>
 #include <map>

@@ -3,11 +3,11 @@
 /// turn, so each finds the caches as the others leave them. Prints medians, because other programs
 /// may use the machine. Prints nothing if answers differ.
 
-#include "distance/pair_search.hpp"
+#include "collide/eager.hpp"
+#include "distance/distance_search.hpp"
 #include "evaluation/programs/crowd.hpp"
 #include "evaluation/programs/program.hpp"
 #include "model/model.hpp"
-#include "pose/eager_pose.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/statistics.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <pelt/self.hpp>
 
+#include "collide/eager.hpp"
 #include "evaluation/rivals/tree_stages.hpp"
 #include "model/model.hpp"
-#include "pose/eager_pose.hpp"
 #include "self/self_filter.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
 #include "tools/pelt/output/statistics.hpp"

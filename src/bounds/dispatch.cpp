@@ -1,8 +1,7 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "bounds/bounding_box.hpp"
-#include "bounds/farthest_search.hpp"
+#include "bounds/bounds_search.hpp"
 
 namespace pelt::detail {
 

@@ -1,15 +1,15 @@
-#include "bounds/vertex_groups.hpp"
+/// Bounds of groups of vertices.
 
 #include <pelt/bounds.hpp>
 
+#include "base/assert.hpp"
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
-#include "base/require.hpp"
-#include "bounds/bounding_box.hpp"
+#include "bounds/bounds_search.hpp"
+#include "model/node_bounds.hpp"
 #include "model/tree.hpp"
 #include "model/unpack.hpp"
 #include "pose/pose.hpp"
-#include "skin/sample_poses.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +19,20 @@
 #include <vector>
 
 namespace pelt::detail {
+
+struct VertexGroups {
+  SkinnedModel model;
+  std::vector<std::uint32_t> first_place;  // [G + 1], into places
+  std::vector<std::uint32_t> places;       // of the groups' vertices in the tree's pools
+  NodeBounds bounds;                       // a node for each group
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(first_place.size() - 1); }
+  std::span<const std::uint32_t> places_of(std::uint32_t group) const {
+    return std::span(places).subspan(first_place[group],
+                                     first_place[group + 1] - first_place[group]);
+  }
+};
+
 namespace {
 
 /// Sets of vertices, each a list of places in the tree's pools, ascending.

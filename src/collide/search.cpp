@@ -3,7 +3,6 @@
 #include <pelt/search.hpp>
 
 #include "base/assert.hpp"
-#include "base/require.hpp"
 #include "model/clusters.hpp"
 #include "model/triangle_places.hpp"
 #include "query/scratch.hpp"

@@ -1,7 +1,7 @@
 #include "crowd/crowd_query.hpp"
 
+#include "base/assert.hpp"
 #include "base/bytes_held.hpp"
-#include "base/require.hpp"
 #include "collide/collide_trees.hpp"
 #include "motion/moving_tree.hpp"
 #include "query/sort_contacts.hpp"

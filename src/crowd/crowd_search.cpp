@@ -1,7 +1,7 @@
 #include "crowd/crowd_search.hpp"
 
+#include "base/assert.hpp"
 #include "base/bytes_held.hpp"
-#include "base/require.hpp"
 #include "collide/search.hpp"
 #include "query/answers.hpp"
 #include "query/sort_contacts.hpp"

@@ -1,8 +1,7 @@
 /// Selects the instruction set for the functions of this folder.
 
 #include "base/dispatch.hpp"
-#include "distance/pair_search.hpp"
-#include "distance/point_search.hpp"
+#include "distance/distance_search.hpp"
 
 namespace pelt::detail {
 

@@ -1,10 +1,9 @@
 #include <pelt/distance.hpp>
 
-#include "base/require.hpp"
+#include "base/assert.hpp"
 #include "collide/collide_trees.hpp"
 #include "distance/answers.hpp"
-#include "distance/pair_search.hpp"
-#include "distance/point_search.hpp"
+#include "distance/distance_search.hpp"
 #include "pose/pose.hpp"
 #include "query/answers.hpp"
 #include "query/find_triangle.hpp"

@@ -3,7 +3,7 @@
 /// The triangles of two clusters that may be within reach. Two lower bounds are computed for all
 /// pairs: the gap of their boxes, and their gap along the direction of the best pair so far,
 /// because most pairs that are equally near have nearly this direction. The remaining pairs wait
-/// until there are eight, whose distances are computed at once (triangle_distances.hpp).
+/// until there are eight, whose distances are computed at once (triangle_gaps.hpp).
 ///
 /// A goal decides which pairs are needed:
 ///   double reach() const      the distance beyond which pairs are useless; it may only decrease
@@ -13,8 +13,7 @@
 ///   void take(gap)            adds a pair that it needs
 ///   bool is_done() const      no more pairs are needed
 
-#include "distance/pair_search.hpp"
-#include "distance/triangle_distances.hpp"
+#include "distance/distance_search.hpp"
 #include "distance/triangle_gaps.hpp"
 #include "pose/open_node.hpp"
 #include "query/nearest_search.hpp"

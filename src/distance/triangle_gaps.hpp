@@ -1,12 +1,14 @@
 #pragma once
 
-/// Distances of the triangles of two clusters along a direction.
+/// Distances of the triangles of two clusters: lower bounds along a direction, and those of eight
+/// pairs at once.
+
+#include <pelt/math.hpp>
 
 #include "base/vec3.hpp"
 #include "geometry/triangle_pair.hpp"
+#include "geometry/triangle_triage.hpp"
 #include "query/slots.hpp"
-
-#include <pelt/math.hpp>
 
 #include <cstdint>
 
@@ -60,6 +62,11 @@ Vec3 direction_of(const Vec3d& way);
 
 /// Returns the unit direction from the middle of the box of `a` to that of `b`; 0 if they coincide.
 Vec3 direction_between(const PosedCluster& a, const PosedCluster& b);
+
+/// Writes the squared distances of the first `count` of eight pairs, with the same bits as
+/// `closest_points` (triangle_distance.hpp), at a fifth of its cost. Precondition: the pairs do not
+/// touch.
+void squared_distances(const TrianglePairs8& pairs, std::uint32_t count, double (&squared)[8]);
 
 }  // namespace PELT_INSTRUCTION_SET
 }  // namespace pelt::detail

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Nearest-first descent of a tree for the triangle closest to a point or a solid. Like the descent
-/// of two trees (pair_search.cpp), with the point or solid instead of the second tree.
+/// of two trees (distance_search.cpp), with the point or solid instead of the second tree.
 
 #include "distance/triangle_gaps.hpp"
 #include "pose/open_node.hpp"

@@ -1,10 +1,10 @@
 /// Nearest-first descent of a tree and of the blocks of a height field, like that of two trees
-/// (pair_search.cpp). The larger of a part and a block is replaced by its slots or by its four
+/// (distance_search.cpp). The larger of a part and a block is replaced by its slots or by its four
 /// sub-blocks, nearest first.
 
 #include "field/field_trees.hpp"
 
-#include "distance/pair_search.hpp"
+#include "distance/distance_search.hpp"
 #include "distance/triangle_gaps.hpp"
 #include "field/field_cells.hpp"
 #include "pose/open_node.hpp"

@@ -5,7 +5,7 @@
 #include <pelt/motion.hpp>
 
 #include "base/instruction_set.hpp"
-#include "distance/pair_search.hpp"
+#include "distance/distance_search.hpp"
 #include "field/height_field.hpp"
 #include "motion/moving_tree.hpp"
 #include "pose/posed_tree.hpp"

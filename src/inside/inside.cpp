@@ -22,7 +22,7 @@
 #include <pelt/inside.hpp>
 #include <pelt/solid.hpp>
 
-#include "base/require.hpp"
+#include "base/assert.hpp"
 #include "model/model.hpp"
 #include "model/surface.hpp"
 #include "pose/open_node.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Fits the coefficients of one node's bound to its rest vertices, in double precision
-/// (node_bounds.hpp), and what the bound adds with dual quaternion skinning (dual_bounds.hpp).
+/// (node_bounds.hpp), and what the bound adds with dual quaternion skinning.
 
 #include "base/vec3.hpp"
 #include "model/node_bounds.hpp"

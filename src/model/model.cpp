@@ -2,8 +2,8 @@
 
 #include "base/bytes_held.hpp"
 #include "base/problem.hpp"
+#include "model/node_bounds.hpp"
 #include "model/tree_build.hpp"
-#include "skin/sample_poses.hpp"
 #include "skin/skin.hpp"
 
 #include <utility>

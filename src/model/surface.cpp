@@ -3,7 +3,7 @@
 #include "base/disjoint_sets.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
-#include "skin/main_joint.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,6 @@
 
 #include <pelt/surface.hpp>
 
-#include "base/made_once.hpp"
 #include "model/model.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "motion/moving_tree.hpp"
 
-#include "base/require.hpp"
+#include "base/assert.hpp"
 #include "pose/pose.hpp"
 
 namespace pelt::detail {

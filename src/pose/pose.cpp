@@ -1,14 +1,81 @@
+/// A pose: what the caller sets, its checks, and the table of its opened nodes.
+
 #include "pose/pose.hpp"
 
 #include "base/assert.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose_boxes.hpp"
+#include "pose/posed_tree.hpp"
 #include "skin/skin.hpp"
+#include "skin/skinned_mesh.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
 #include <utility>
 
-namespace pelt {
-namespace detail {
+namespace pelt::detail {
+
+void make_table(const PosedTree& posed) {
+  if (posed.opened) return;
+  posed.opened = OpenedNodes(static_cast<std::uint32_t>(posed.tree.nodes.size()), posed.arena);
+}
+
+/// Limited to what no machine has, because the sum can be larger than a 32-bit std::size_t.
+std::size_t bytes_to_open(const Tree& tree) {
+  constexpr std::uint64_t kMax = std::numeric_limits<std::ptrdiff_t>::max();
+  constexpr auto piece = Arena::size_of_piece;
+  std::uint64_t bytes = piece(tree.nodes.size() * sizeof(std::atomic<OpenedNode*>));
+  bytes += std::uint64_t{tree.nodes.size()} * piece(sizeof(OpenedNode));
+  bytes += std::uint64_t{tree.clusters.size()} * piece(sizeof(TriangleBoxes));
+  std::uint64_t positions = 0;
+  for (const Node& node : tree.nodes)
+    positions += piece(std::size_t{node.vertex_count} * kFloatsPerVertex * sizeof(float));
+  bytes += std::max<std::uint64_t>(positions,
+                                   piece(bytes_of_positions(tree)) + piece(bytes_of_boxes(tree)));
+  return static_cast<std::size_t>(std::min(bytes, kMax));
+}
+
+namespace {
+
+bool is_within(float coordinate) { return std::fabs(coordinate) <= kMaxCoordinate; }
+
+/// Precondition: a coordinate is not within the limit.
+Problem describe_first(std::span<const Vec3> vertices) {
+  std::size_t v = 0;
+  const auto is_good = [](const Vec3& p) {
+    return is_within(p.x) && is_within(p.y) && is_within(p.z);
+  };
+  while (is_good(vertices[v])) ++v;
+  const Vec3& p = vertices[v];
+  return problem("vertices[%zu] is (%g, %g, %g), expected finite coordinates within 2^60", v,
+                 static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+}
+
+}  // namespace
+
+GivenVertices copy_given(const Tree& tree, const GivenVertices& given, Arena& arena) {
+  std::byte* const positions = arena.allocate(bytes_of_positions(tree));
+  std::byte* const boxes = arena.allocate(bytes_of_boxes(tree));
+  std::memcpy(positions, given.positions, bytes_of_positions(tree));
+  std::memcpy(boxes, given.boxes, bytes_of_boxes(tree));
+  return {reinterpret_cast<const float*>(positions), reinterpret_cast<const GivenBox*>(boxes)};
+}
+
+Problem check_vertices(const Tree& tree, std::span<const Vec3> vertices) {
+  if (vertices.size() != tree.vertex_count())
+    return problem("vertices has %zu elements, expected one for each of the model's %u vertices",
+                   vertices.size(), tree.vertex_count());
+  if (!are_within(vertices)) return describe_first(vertices);
+  for (const WeldedVertex& welded : tree.welded_vertices)
+    if (!(vertices[welded.vertex] == vertices[welded.into]))
+      return problem(
+          "vertices[%u] differs from vertices[%u], but the model has merged both because they are "
+          "equal in the rest pose: build it with ModelOptions::weld = false",
+          welded.vertex, welded.into);
+  return {};
+}
 
 Result<void> Pose::set_vertices(std::span<const Vec3> vertices) {
   const Tree& tree = model.detail().tree;
@@ -45,7 +112,9 @@ void Pose::reserve() {
   if (kept) given = copy_given(tree, kept, arena);
 }
 
-}  // namespace detail
+}  // namespace pelt::detail
+
+namespace pelt {
 
 Pose::Pose(SkinnedModel model) : pose_(std::make_unique<detail::Pose>(std::move(model))) {}
 Pose::Pose(Pose&&) noexcept = default;

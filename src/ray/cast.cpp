@@ -1,6 +1,6 @@
 #include <pelt/ray.hpp>
 
-#include "base/require.hpp"
+#include "base/assert.hpp"
 #include "model/model.hpp"
 #include "model/triangle_places.hpp"
 #include "pose/pose.hpp"

@@ -9,7 +9,6 @@
 #include "pose/open_node.hpp"
 #include "query/answers.hpp"
 #include "query/slots.hpp"
-#include "ray/ray_slabs.hpp"
 #include "ray/ray_triage.hpp"
 
 namespace pelt::detail {

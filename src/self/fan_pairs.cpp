@@ -4,9 +4,8 @@
 #include "query/find_triangle.hpp"
 #include "query/slots.hpp"
 #include "query/triangle_batch.hpp"
-#include "self/moving_neighbours.hpp"
-#include "self/neighbour_pair.hpp"
 #include "self/neighbour_separation.hpp"
+#include "self/neighbours.hpp"
 
 #include <array>
 #include <cstdint>

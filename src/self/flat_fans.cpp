@@ -25,7 +25,7 @@
 ///
 /// Single pairs. Two triangles also meet only where they should if the spokes of one that the other
 /// does not share are strictly on one side of the other's plane: one triangle then meets the plane
-/// only in what they share (neighbour_pair.cpp). Triangle i has the normal e_i x e_i+1, so the side
+/// only in what they share (neighbours.cpp). Triangle i has the normal e_i x e_i+1, so the side
 /// of spoke k is the sign of det(e_i, e_i+1, e_k). Here, all three vectors are rounded: its error
 /// is at most 6 * 8.1 e X Y Z < 64 e X Y Z. 2^-140 (1 + L) covers underflow, as above. The factor
 /// 64 makes the bound infinite or NaN before a sum of six products overflows.

@@ -1,9 +1,9 @@
-#include "self/self_filter.hpp"
+#include "self/pair_filters.hpp"
 
 #include "base/bytes_held.hpp"
 #include "model/model.hpp"
 #include "model/unpack.hpp"
-#include "skin/main_joint.hpp"
+#include "skin/skinned_mesh.hpp"
 
 #include <algorithm>
 #include <map>

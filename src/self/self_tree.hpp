@@ -2,7 +2,7 @@
 
 /// The door of this room: the contacts of a tree with itself. Other rooms also include
 /// self_filter.hpp (what is left out), fans.hpp (the triangles around a vertex), near_joints.hpp
-/// and neighbour_pair.hpp (two triangles that share corners).
+/// and neighbours.hpp (two triangles that share corners).
 
 #include <pelt/self.hpp>
 

@@ -21,7 +21,7 @@ inline std::pair<std::uint16_t, std::uint16_t> joints_of(const JointLink& link) 
 }
 
 /// The motion of the two joints of a link in a palette. Vectors are in the frame of the palette.
-/// model/dual_bounds.hpp has the symbols and the rounding.
+/// model/node_bounds.hpp has the symbols and the rounding.
 struct LinkMotion {
   /// (p_j - p_k) x u_jk in the link's box is between minus the first half and the second half; the
   /// last element is s_jk^2.

@@ -93,7 +93,7 @@ class Palette {
   std::uint32_t dual_influences() const { return dual_influences_; }
 
   /// Rounding of the difference of the images of a rest position under two joints; see
-  /// model/dual_bounds.hpp.
+  /// model/node_bounds.hpp.
   float link_slack() const {
     return 0x1p-18f * extent_ * static_cast<float>(1 + morphs_.active().size());
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -87,5 +88,10 @@ inline constexpr float kMaxCoordinate = 0x1p60f;
 /// Validates `view`, copies it into normal form and fills `report`.
 Result<SkinnedMesh> make_skinned_mesh(const SkinnedMeshView& view, const ModelOptions& options,
                                       BuildReport& report);
+
+/// Returns for each triangle [T] the joint with the largest sum of weights over the triangle's
+/// vertices; of equal joints, the lowest. O(influences of all triangle vertices, times those of one
+/// triangle).
+std::vector<std::uint16_t> main_joints(const SkinnedMesh& mesh);
 
 }  // namespace pelt::detail

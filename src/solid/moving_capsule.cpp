@@ -32,7 +32,6 @@
 #include "geometry/triangle_distance.hpp"
 #include "solid/capsule_by_signs.hpp"
 #include "solid/moving_numbers.hpp"
-#include "solid/moving_region.hpp"
 #include "solid/region_triangle.hpp"
 
 namespace pelt::detail {

@@ -14,7 +14,7 @@
 #include "exact/scaled_float.hpp"
 #include "solid/faces_by_signs.hpp"
 #include "solid/moving_numbers.hpp"
-#include "solid/moving_region.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <limits>
 #include <utility>

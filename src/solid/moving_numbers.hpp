@@ -7,7 +7,7 @@
 
 #include "exact/critical_time.hpp"
 #include "motion/instants.hpp"
-#include "solid/moving_region.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #include <pelt/math.hpp>
 
 #include "base/assert.hpp"
-#include "base/require.hpp"
 #include "query/valid_numbers.hpp"
 #include "solid/region_triangle.hpp"
 

@@ -9,8 +9,8 @@
 #include "query/contact_sink.hpp"
 #include "query/slots.hpp"
 #include "query/triangle_batch.hpp"
-#include "solid/moving_region.hpp"
 #include "solid/place_boxes.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <cstdint>
 

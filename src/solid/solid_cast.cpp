@@ -4,7 +4,7 @@
 
 #include <pelt/solid.hpp>
 
-#include "base/require.hpp"
+#include "base/assert.hpp"
 #include "base/vec3.hpp"
 #include "query/valid_numbers.hpp"
 #include "solid/prepared_region.hpp"

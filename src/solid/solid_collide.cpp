@@ -1,7 +1,6 @@
 #include <pelt/solid.hpp>
 
 #include "base/assert.hpp"
-#include "base/require.hpp"
 #include "motion/moving_tree.hpp"
 #include "pose/pose.hpp"
 #include "query/answers.hpp"

@@ -6,7 +6,7 @@
 
 #include <pelt/solid.hpp>
 
-#include "base/require.hpp"
+#include "base/assert.hpp"
 #include "distance/answers.hpp"
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"

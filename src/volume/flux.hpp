@@ -9,8 +9,20 @@
 /// q, r), it is det(p, q, r); for f = 1 on a polygon in a plane, it is the sum of det(c, p, q) over
 /// the sides (p, q) of the polygon, where c is any point of the plane.
 
+#include <pelt/pose.hpp>
+
 #include "exact/exact_number.hpp"
+#include "geometry/generic_ray.hpp"
 #include "geometry/triangle_pair.hpp"
+#include "model/triangle_places.hpp"
+#include "pose/posed_tree.hpp"
+#include "query/scratch.hpp"
+#include "volume/generic_crossing.hpp"
+#include "volume/surface_winding.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
 
 namespace pelt::detail {
 
@@ -34,5 +46,93 @@ inline Rounded flux_of(const TriangleCorners& t, const Vec3& origin) {
   return Rounded::within(dot(cross(u, v), from),
                          OrientedPlane::kRelativeError * max_abs(u) * max_abs(v) * max_abs(from));
 }
+
+/// Returns the flux of 1 through all triangles. Precondition: all nodes are open.
+Rounded surface_flux(const PosedTree& posed, const Vec3& origin);
+
+// What two crossing triangles contribute to the flux of w_b through the surface of a plus the flux
+// of w_a through the surface of b.
+//
+// On a triangle (c, d, e) of a, w_b jumps across the segments in which triangles of b cross it,
+// and along the edges at their ends. Its flux through the triangle is the sum of
+//
+//     w_b(c) det(c, d, e)      as if w_b were constant,
+//     j det(c, d, e)           for each jump j on the edge cd,
+//     j (1 - t) det(c, d, e)   for each jump j on the edge de, at d + t (e - d), and
+//     det(c, p, q)             for each segment pq. The inside of b is on its left.
+//
+// (The triangle consists of polygons with constant w_b, whose sides are parts of edges, and
+// segments. If a side is part of an edge at c, det(c, p, q) = 0. For sides on de, w_b depends on
+// the jumps on cd.)
+//
+// Segments run in the direction n_a x n_b. For the triangle of b with first corner c', a segment
+// runs in the opposite direction, so it contributes det(c, p, q) - det(c', p, q) to both. The term
+// with w_b(c) is added by winding_flux.
+
+/// Winding numbers of another surface around the vertices of one node. If the winding number around
+/// one vertex is known, it is known around all vertices that triangles of the node connect with it.
+class NodeWindings {
+ public:
+  /// `turns`: ascending by place, for all triangles of the tree. Several turns of one triangle
+  /// add up.
+  NodeWindings(const Tree& tree, const Node& node, std::span<const WindingTurns> turns);
+
+  /// Whether the winding number around corner 0 of a triangle is known.
+  bool is_known(std::uint32_t place) const { return at(place) != kUnknown; }
+
+  /// The winding number around corner 0 of a triangle.
+  std::int32_t at(std::uint32_t place) const { return windings_[vertex(place, 0)]; }
+
+  /// Sets the winding number around corner 0 of a triangle, and all that follow from it.
+  void set(std::uint32_t place, std::int32_t winding);
+
+ private:
+  static constexpr std::int32_t kUnknown = INT32_MIN;
+  static constexpr std::size_t kMaxTriangles = std::size_t{kMaxSlots} * kMaxClusterTriangles;
+
+  std::size_t vertex(std::uint32_t place, std::size_t corner) const {
+    return tree_.corners[place][corner] / kFloatsPerVertex;
+  }
+
+  bool spread(std::uint32_t place);
+
+  const Tree& tree_;
+  const Places places_;
+  std::array<std::array<std::int32_t, 3>, kMaxTriangles> turns_;  // from corner 0 to each corner
+  std::array<std::int32_t, 3 * kMaxTriangles> windings_;          // by vertex of the pool
+};
+
+/// How the crossing of two triangles contributes.
+struct CrossingFlux {
+  Rounded flux;
+  WindingTurns turns_a, turns_b;
+};
+
+/// Precondition: `crossing` is that of `a` and `b`.
+CrossingFlux flux_of(const GenericCrossing& crossing, const TriangleCorners& a,
+                     const TriangleCorners& b, const Vec3& origin);
+
+/// The surface of another body, as seen from the vertices of one body.
+struct OtherSurface {
+  pelt::Pose& pose;
+
+  /// The infinitesimal motion of the vertices relative to the surface.
+  const GenericDirection& motion;
+
+  /// By how much its winding number changes along triangles of the body, ascending by place.
+  std::span<const WindingTurns> turns;
+};
+
+/// Returns the flux through all triangles of a body, as if on each triangle the winding number of
+/// the other surface were the same as at corner 0. Precondition: there are tables of opened nodes.
+Rounded winding_flux(const PosedTree& body, const OtherSurface& other, const Vec3& origin,
+                     pelt::Scratch& scratch, QueryStats& work);
+
+/// Returns the flux of w through a surface, where w is its own winding number just in front of it.
+/// Divided by six, this is the integral of w (w - 1) / 2: from the front to the back of the
+/// surface, where w becomes w + 1, this function grows by w. Opens all nodes. Precondition: the
+/// surface is closed.
+Rounded self_flux(const PosedTree& posed, const Surface& surface, Scratch& scratch,
+                  QueryStats& work);
 
 }  // namespace pelt::detail

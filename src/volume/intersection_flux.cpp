@@ -8,7 +8,6 @@
 #include "query/find_triangle.hpp"
 #include "ray/ray_descent.hpp"
 #include "volume/flux.hpp"
-#include "volume/intersection_flux.hpp"
 
 #include <algorithm>
 #include <optional>

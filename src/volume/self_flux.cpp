@@ -2,7 +2,7 @@
 /// the surface (surface_winding.hpp). From there, it spreads over all edges. Where the outline of a
 /// triangle passes another triangle, it changes by one.
 
-#include "volume/self_flux.hpp"
+#include "volume/flux.hpp"
 
 #include "model/surface.hpp"
 #include "pose/posed_tree.hpp"
@@ -11,8 +11,7 @@
 #include "query/sort_contacts.hpp"
 #include "self/self_filter.hpp"
 #include "self/self_tree.hpp"
-#include "volume/flux.hpp"
-#include "volume/surface_crossing.hpp"
+#include "volume/perturbed_points.hpp"
 #include "volume/surface_winding.hpp"
 
 #include <algorithm>
@@ -91,7 +90,7 @@ QueryStats find_self_pairs(const PosedTree& posed, const Surface& surface,
 // triangles. w is the winding number of the surface in front of it.
 //
 // On a triangle (c, d, e), w jumps across the segments in which other triangles cross it. With the
-// formulas of intersection_flux.hpp, the flux is the sum of
+// formulas of flux.hpp, the flux is the sum of
 //
 //     w(d) det(c, d, e)        where w(d) is that at the start of the edge de,
 //     j (1 - t) det(c, d, e)   for each jump j on the edge de, at d + t (e - d), and

@@ -1,6 +1,6 @@
 #include <pelt/inside.hpp>
 
-#include "base/require.hpp"
+#include "base/assert.hpp"
 #include "collide/collide_trees.hpp"
 #include "model/surface.hpp"
 #include "pose/open_node.hpp"
@@ -8,8 +8,7 @@
 #include "query/find_triangle.hpp"
 #include "query/sort_contacts.hpp"
 #include "self/fans.hpp"
-#include "volume/intersection_flux.hpp"
-#include "volume/self_flux.hpp"
+#include "volume/flux.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 /// Compiled once for each instruction set. The test itself runs on any machine.
 #include "distance_lanes.hpp"
 
-#include "distance/triangle_distances.hpp"
+#include "distance/triangle_gaps.hpp"
 #include "lane_pairs.hpp"
 
 namespace pelt::test {

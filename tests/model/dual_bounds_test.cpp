@@ -5,7 +5,6 @@
 
 #include "bounded.hpp"
 #include "model/model.hpp"
-#include "skin/sample_poses.hpp"
 #include "support/dual_shapes.hpp"
 
 #include <gtest/gtest.h>

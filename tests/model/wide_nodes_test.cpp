@@ -1,4 +1,4 @@
-#include "model/wide_nodes.hpp"
+#include "model/tree_build.hpp"
 
 #include "support/random.hpp"
 

@@ -3,7 +3,7 @@
 #include "motion/moving_pair.hpp"
 
 #include "moving_cases.hpp"
-#include "solid/moving_region.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <gtest/gtest.h>
 

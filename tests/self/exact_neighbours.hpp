@@ -1,10 +1,10 @@
 #pragma once
 
-/// The table of neighbour_pair.hpp in rational numbers, word by word, and the rule that it amounts
+/// The table of neighbours.hpp in rational numbers, word by word, and the rule that it amounts
 /// to for triangles that have not collapsed. Shares no code with the library.
 
 #include "geometry/common_points.hpp"
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -5,7 +5,7 @@
 
 #include "fan_lanes.hpp"
 #include "model/model.hpp"
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 #include "support/instruction_sets.hpp"
 #include "surface_shapes.hpp"
 

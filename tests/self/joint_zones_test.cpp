@@ -1,4 +1,4 @@
-#include "self/joint_zones.hpp"
+#include "self/near_joints.hpp"
 
 #include "scenes/triangle_labels.hpp"
 

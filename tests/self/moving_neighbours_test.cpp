@@ -1,6 +1,6 @@
 /// Moving triangles that share corners: against tests of their parts, against the test of posed
 /// neighbours at many times, and in double against exact.
-#include "self/moving_neighbours.hpp"
+#include "self/neighbours.hpp"
 
 #include "motion/moving_cases.hpp"
 

@@ -1,7 +1,7 @@
 /// The test of neighbours against rational arithmetic, by two oracles: the table in
-/// neighbour_pair.hpp, word by word; and, for triangles that have not collapsed, the rule that the
+/// neighbours.hpp, word by word; and, for triangles that have not collapsed, the rule that the
 /// table must amount to: a common point that is not in the hull of the shared corners.
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 
 #include "exact/finite_floats.hpp"
 #include "exact/predicates.hpp"

@@ -2,7 +2,7 @@
 
 /// The contacts of a pose with itself, by a test of all pairs.
 
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <pelt/self.hpp>

@@ -3,7 +3,7 @@
 /// The contacts of a moving character with itself, by a test of all pairs.
 
 #include "collide/moving_brute_force.hpp"
-#include "self/moving_neighbours.hpp"
+#include "self/neighbours.hpp"
 
 #include <algorithm>
 #include <array>

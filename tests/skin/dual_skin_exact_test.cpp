@@ -80,7 +80,7 @@ Exact exact_vertex(const SkinnedMesh& mesh, const Palette& palette, std::uint32_
   return exact;
 }
 
-/// The margin that dual_bounds.hpp derives also covers other errors, hence 33 for its 60.
+/// The margin that node_bounds.hpp derives also covers other errors, hence 33 for its 60.
 TEST(DualSkinExact, PosedVerticesAreWithinTheProvedRounding) {
   Random random(70);
   double worst = 0;

@@ -4,7 +4,7 @@
 /// numbers of GMP, and all roots of all polynomials instead of the next ones.
 
 #include "motion/moving_oracle.hpp"
-#include "solid/moving_region.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <array>
 #include <cstddef>

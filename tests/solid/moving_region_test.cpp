@@ -1,9 +1,8 @@
 /// A moving triangle against regions, by an independent method with numbers of GMP. The environment
 /// variable PELT_MOVING_REGIONS sets the number of cases per family.
-#include "solid/moving_region.hpp"
+#include "solid/region_triangle.hpp"
 
 #include "moving_region_oracle.hpp"
-#include "solid/region_triangle.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>

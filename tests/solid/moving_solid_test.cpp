@@ -1,9 +1,9 @@
 /// A moving character against regions, against the exact test of all triangles.
 
 #include "collide/moving_bodies.hpp"
-#include "solid/moving_region.hpp"
 #include "solid/prepared_region.hpp"
 #include "solid/random_regions.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <pelt/solid.hpp>
 

@@ -4,8 +4,8 @@
 
 #include <pelt/solid.hpp>
 
-#include "solid/moving_region.hpp"
 #include "solid/prepared_region.hpp"
+#include "solid/region_triangle.hpp"
 
 #include <span>
 #include <vector>

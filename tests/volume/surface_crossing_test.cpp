@@ -1,6 +1,6 @@
-#include "volume/surface_crossing.hpp"
+#include "volume/perturbed_points.hpp"
 
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 #include "support/random.hpp"
 #include "volume/generic_crossing.hpp"
 

@@ -6,7 +6,7 @@
 #include <pelt/self_filter.hpp>
 #include <pelt/surface.hpp>
 
-#include "pose/eager_pose.hpp"
+#include "collide/eager.hpp"
 #include "scenes/scene.hpp"
 
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "evaluation/peers/compare.hpp"
 #include "evaluation/peers/peers.hpp"
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <pelt/version.hpp>
 
 #include "check_self.hpp"
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 #include "self/self_moving_brute_force.hpp"
 #include "tools/answer.hpp"
 #include "tools/test_scenes.hpp"

@@ -3,7 +3,7 @@
 #include <pelt/math.hpp>
 
 #include "geometry/triangle_pair.hpp"
-#include "self/neighbour_pair.hpp"
+#include "self/neighbours.hpp"
 #include "skin/skin.hpp"
 #include "tools/pelt/methods/body_method.hpp"
 #include "tools/pelt/methods/command_methods.hpp"

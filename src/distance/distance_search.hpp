@@ -1,6 +1,6 @@
 #pragma once
 
-/// Compares pairs of triangles by distance, for all searches for the least distance.
+/// Searches of two poses, or of a pose and a point, for the least distance.
 
 #include "base/instruction_set.hpp"
 #include "geometry/triangle_distance.hpp"
@@ -38,6 +38,13 @@ struct SearchLimits {
   std::uint64_t work = kUnlimited;  ///< in units of work_of
 };
 
+/// The triangle that is closest to a point.
+struct PointGap {
+  std::uint32_t triangle = 0;  ///< the caller's number
+  TriangleCorners corners = {};
+  ClosestOnTriangle closest = {std::numeric_limits<double>::infinity(), {}};
+};
+
 inline namespace PELT_INSTRUCTION_SET {
 
 /// Finds the least distance of two poses that do not touch, as defined by `pelt::distance`;
@@ -50,12 +57,10 @@ QueryStats closest_triangles(const PosedTree& a, const PosedTree& b, Scratch& sc
 QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scratch,
                             double tolerance, std::uint32_t max_pairs);
 
-}  // namespace PELT_INSTRUCTION_SET
-
-}  // namespace pelt::detail
-
-namespace pelt::detail {
-inline namespace PELT_INSTRUCTION_SET {
+/// Finds the triangle as defined by `pelt::closest_point`. The distance is infinite if nothing is
+/// within `max_distance`.
+QueryStats closest_to_point(const PosedTree& posed, const Vec3& point, Scratch& scratch,
+                            double max_distance, PointGap& closest);
 
 /// Stores the pair with the least distance; of equally near pairs, the one with the lowest numbers.
 class LeastGap {

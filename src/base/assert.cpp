@@ -1,4 +1,4 @@
-#include "base/require.hpp"
+#include "base/assert.hpp"
 
 #include <cstdio>
 #include <cstdlib>

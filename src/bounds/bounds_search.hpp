@@ -1,5 +1,8 @@
 #pragma once
 
+/// Boxes of vertices, and the vertex that is farthest along a direction.
+
+#include <pelt/bounds.hpp>
 #include <pelt/query.hpp>
 
 #include "base/instruction_set.hpp"
@@ -18,6 +21,12 @@ struct BoxFound {
   QueryStats work;
 };
 
+/// `direction` times a power of two: its largest component is in [1, 2).
+Vec3 scaled_direction(const Vec3& direction);
+
+/// The exact sign of dot(direction, p) - dot(direction, q).
+int compare_along(const Vec3& direction, const Vec3& p, const Vec3& q);
+
 inline namespace PELT_INSTRUCTION_SET {
 
 /// Returns a box of all vertices of triangles, after opening the given number of levels. The box is
@@ -34,17 +43,14 @@ BoxFound box_given(const GivenVertices& given, std::span<const std::uint32_t> pl
 BoxFound box_places(const Tree& tree, const Palette& palette,
                     std::span<const std::uint32_t> places);
 
-}  // namespace PELT_INSTRUCTION_SET
-
-}  // namespace pelt::detail
-
-namespace pelt::detail {
-inline namespace PELT_INSTRUCTION_SET {
-
 /// Returns an upper bound of the distance of posed vertices from `centre` (four floats), or
 /// infinity if the bound of the root node is affine. Precondition: no coordinate of `centre`
 /// exceeds 2^64.
 float bounding_radius(const NodeBounds& bounds, const Palette& palette, const float* centre);
 
+/// Finds the vertex of a triangle that is farthest along `direction`, and stores it in `farthest`.
+QueryStats find_farthest(const PosedTree& posed, const Vec3& direction, FarthestVertex& farthest);
+
 }  // namespace PELT_INSTRUCTION_SET
+
 }  // namespace pelt::detail
