@@ -47,7 +47,7 @@ class Collecting : public detail::MovingOverlap {
 
  private:
   detail::Stack<MovingCandidate>& candidates_;
-  detail::MovingPairs pairs_;
+  detail::WaitingMovingPairs pairs_;
 };
 
 void collect(const detail::MovingTree& a, const detail::MovingTree& b, detail::Scratch& scratch,

@@ -4,7 +4,6 @@
 #include "base/instruction_set.hpp"
 #include "motion/moving_boxes.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_triangles.hpp"
 #include "query/contact_sink.hpp"
 #include "query/pair_descent.hpp"
 
@@ -76,8 +75,9 @@ class IntersectingUnited : public detail::MovingOverlap {
   }
 
   const detail::LimitedSink<MovingContact>& sink_;
-  detail::MovingPairs pairs_;
-  detail::MovingTriangles<detail::MovingPairs, const detail::LimitedSink<MovingContact>> triangles_;
+  detail::WaitingMovingPairs pairs_;
+  detail::MovingTrianglePairs<detail::WaitingMovingPairs, const detail::LimitedSink<MovingContact>>
+      triangles_;
 };
 
 }  // namespace

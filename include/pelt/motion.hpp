@@ -46,17 +46,18 @@ struct Feature {
 struct MovingContact {
   Contact contact;
 
-  /// The largest float that is not above the first time at which the triangles intersect, as a part
-  /// of the step: 0 to 1. The triangles are apart at all earlier times.
+  /// The first time at which the triangles intersect, from 0 to 1, rounded down to a float. The
+  /// triangles are apart at all earlier times.
   float time = 0;
 
   /// Whether the triangles intersect at time 0. The features then have no meaning. Always false in
   /// an answer without times.
   bool at_start = false;
 
-  /// Which parts of triangle_a and triangle_b meet at the first time. Of all pairs that meet, this
-  /// is the first one in this order: two corners, a corner and an edge, an edge and a corner, a
-  /// corner and a face, a face and a corner, two edges; then the lowest number of a, then of b.
+  /// The feature of triangle_a and that of triangle_b that meet at the first time. If several pairs
+  /// of features meet, this is the first pair in this order: two corners, a corner and an edge, an
+  /// edge and a corner, a corner and a face, a face and a corner, two edges. Of pairs of one kind,
+  /// it has the lowest number of a, and of these, the lowest of b.
   Feature a, b;
 
   friend bool operator==(const MovingContact&, const MovingContact&) = default;
@@ -74,10 +75,10 @@ struct MovingOptions {
   std::uint32_t max_contacts = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// Work of a query of motions. A certified test in float decides most pairs of triangles in groups
-/// of eight, and a slower one in double most others. Exact arithmetic decides the rest, and uses up
-/// to 260 KB of the stack, or 900 KB for a triangle and a region. Triangles and regions have no
-/// test in float.
+/// Work of a query of motions. A certified test in float decides most pairs of triangles, eight at
+/// a time, and a certified test in double decides most of the others. Exact arithmetic decides the
+/// rest; it uses up to 260 KB of the stack. For a triangle and a region, there is no test in float,
+/// and exact arithmetic uses up to 900 KB.
 struct MovingStats : QueryStats {
   std::uint64_t double_pairs = 0;  ///< pairs of triangles tested in double
   std::uint64_t exact_pairs = 0;   ///< of these, pairs tested in exact arithmetic
@@ -117,10 +118,10 @@ PELT_API YesNo intersects(const Motion& a, const Motion& b, Scratch& scratch);
 ///
 /// Of `options`, only `leave_out_start` applies. Preconditions and allocation: those of `collide`.
 ///
-/// Cost: looks for the lowest pair at time 0 first, and skips parts of a's tree whose triangles all
-/// have higher numbers than those of the lowest pair found so far. If nothing intersects at time 0,
-/// the query continues with the step, and skips parts of the trees whose boxes first overlap after
-/// the earliest time found so far.
+/// Cost: first searches for the lowest pair that intersects at time 0. This skips parts of the tree
+/// of `a` whose triangles all have higher numbers than the lowest pair found so far. If there is no
+/// such pair, searches the step. This skips parts of the trees whose boxes first overlap after the
+/// earliest time found so far.
 PELT_API MovingStats first_contact(const Motion& a, const Motion& b, Scratch& scratch,
                                    std::optional<MovingContact>& first,
                                    const MovingOptions& options = {});

@@ -44,8 +44,9 @@ struct SelfStats : QueryStats {
 ///   are not shared lie strictly on the same side of the shared edge.
 /// - 3: always, because the triangles are duplicates.
 ///
-/// Equal corners of a triangle count as one: opposite the corner p of a triangle p, p, q is not an
-/// edge but the point q. Two triangles are duplicates if each shares all of its corners.
+/// Equal corners of a triangle count as one corner. In a triangle with the corners p, p and q, the
+/// point q is opposite the corner p, instead of an edge. Two triangles are duplicates if each
+/// shares all of its corners with the other.
 ///
 /// The answer is exact with respect to the float32 posed vertices (see `posed_vertices`). A
 /// triangle that has collapsed to a segment or a point is treated as that segment or point.

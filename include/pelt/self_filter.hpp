@@ -206,7 +206,8 @@ struct JointBodies {
 /// `joint_parents`: [J] the parent of each joint, or `kNoJoint`.
 PELT_API JointBodies bodies_of_parents(std::span<const std::uint16_t> joint_parents);
 
-/// For the members of `SelfFilterOptions` with these names; `bodies` for `joint_bodies`.
+/// Values of members of `SelfFilterOptions`: `bodies` is for `joint_bodies`, the others are for the
+/// members with the same names.
 struct NearJoints {
   std::vector<std::uint16_t> bodies;  ///< [J] the lowest joint of each joint's body
   std::vector<IndexPair> joint_pairs, joint_pairs_in_zones;  ///< of bodies
@@ -240,8 +241,8 @@ struct NearJoints {
 /// `bodies`: of the joints of the model. For characters of glTF files, see `asset::joint_bodies`.
 /// `positions`: [V] posed vertices in a pose in which each part of the body is in its place; any
 ///   such pose gives nearly the same zones. Empty: the rest positions.
-/// `at_rest`: contacts in reference poses, in any order, found with the filter that an empty
-///   `at_rest` gives. Otherwise, joints whose skin creases at rest are near everywhere.
+/// `at_rest`: contacts in reference poses, in any order. Find them with the filter that an empty
+///   `at_rest` gives; contacts in creases would make their joints near everywhere.
 ///
 /// Cost: O(T log T + V). Allocates.
 ///

@@ -1,5 +1,7 @@
 #pragma once
 
+/// What is wrong with an argument, as text and as an error.
+
 #include <pelt/result.hpp>
 
 #include <string>

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Vectors in double precision.
+
 #include <pelt/math.hpp>
 
 #include <algorithm>

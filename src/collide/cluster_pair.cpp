@@ -41,7 +41,7 @@ RowLanes overlapping_pairs(unsigned near_rows, const TriangleBoxes& rows, unsign
 
 }  // namespace
 
-void WaitingTriangles::add(const PosedCluster& a, const PosedCluster& b) {
+void WaitingPairs::add(const PosedCluster& a, const PosedCluster& b) {
   const TriangleBoxes& boxes_a = triangle_boxes(a.posed, a.node, a.opened, a.slot);
   const TriangleBoxes& boxes_b = triangle_boxes(b.posed, b.node, b.opened, b.slot);
   const Box8 both = intersection(a, b);
@@ -55,8 +55,8 @@ void WaitingTriangles::add(const PosedCluster& a, const PosedCluster& b) {
   }
 }
 
-void WaitingTriangles::add(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
-                           const PosedCluster& lane_cluster, Side& lanes) {
+void WaitingPairs::add(const RowLanes& pairs, const PosedCluster& row_cluster, Side& rows,
+                       const PosedCluster& lane_cluster, Side& lanes) {
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     rows.triangle[count_ + i] = row_cluster.cluster().first_triangle + pairs.row(i);
     rows.positions[count_ + i] = row_cluster.opened.positions;
@@ -66,7 +66,7 @@ void WaitingTriangles::add(const RowLanes& pairs, const PosedCluster& row_cluste
   count_ += pairs.size();
 }
 
-WaitingTriangles::Found WaitingTriangles::test(std::uint32_t first, std::uint32_t count) {
+WaitingPairs::Found WaitingPairs::test(std::uint32_t first, std::uint32_t count) {
   for (std::uint32_t i = count; i < kBatch; ++i) {
     a_.copy(first, first + i);
     b_.copy(first, first + i);
@@ -81,7 +81,7 @@ WaitingTriangles::Found WaitingTriangles::test(std::uint32_t first, std::uint32_
   return {kept & verdict.intersecting, decide_exactly(verdict, kept, corners_a, corners_b)};
 }
 
-void WaitingTriangles::drop(std::uint32_t first) {
+void WaitingPairs::drop(std::uint32_t first) {
   count_ -= first;
   for (std::uint32_t i = 0; i < count_; ++i) {
     a_.copy(first + i, i);
@@ -89,11 +89,11 @@ void WaitingTriangles::drop(std::uint32_t first) {
   }
 }
 
-TriangleCorners WaitingTriangles::Side::corners(std::uint32_t i) const {
+TriangleCorners WaitingPairs::Side::corners(std::uint32_t i) const {
   return corners_at([&](std::size_t k) { return corner(i, k); });
 }
 
-void WaitingTriangles::Side::corners8(std::uint32_t first, Points8 (&corners)[3]) const {
+void WaitingPairs::Side::corners8(std::uint32_t first, Points8 (&corners)[3]) const {
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = gather_points([&](std::uint32_t lane) { return corner(first + lane, k); });
 }

@@ -58,9 +58,9 @@ class RowLanes {
 };
 
 /// Pairs of triangles of two posed trees that wait until there are eight to test.
-class WaitingTriangles {
+class WaitingPairs {
  public:
-  WaitingTriangles(const Tree& tree_a, const Tree& tree_b) : a_(tree_a), b_(tree_b) {}
+  WaitingPairs(const Tree& tree_a, const Tree& tree_b) : a_(tree_a), b_(tree_b) {}
 
   std::uint32_t count() const { return count_; }
   Contact contact(std::uint32_t i) const { return {a_.id(i), b_.id(i)}; }
@@ -154,13 +154,13 @@ class TrianglePairs {
   }
 
   void test(std::uint32_t first, std::uint32_t count) {
-    const WaitingTriangles::Found found = waiting_.test(first, count);
+    const WaitingPairs::Found found = waiting_.test(first, count);
     for (SetBits lane(found.certainly); lane; ++lane) sink_.push(waiting_.contact(first + *lane));
     for (SetBits lane(found.exactly); lane; ++lane) sink_.push(waiting_.contact(first + *lane));
     work_.triangle_pairs += count;
   }
 
-  WaitingTriangles waiting_;
+  WaitingPairs waiting_;
   Sink& sink_;
   QueryStats& work_;
 };

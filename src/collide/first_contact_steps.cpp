@@ -36,9 +36,9 @@ struct TimeSpan {
 
 /// The times of each lane.
 struct TimeSpanLanes {
-  explicit TimeSpanLanes(const TimeRanges8& times) {
-    times.start().store(start);
-    times.end().store(end);
+  explicit TimeSpanLanes(const TimeSpans8& times) {
+    times.start.store(start);
+    times.end.store(end);
   }
 
   TimeSpan operator[](unsigned lane) const { return {start[lane], end[lane]}; }
@@ -52,12 +52,12 @@ struct TimeSpanLanes {
   float start[8], end[8];
 };
 
-/// Whether boxes may overlap at some time of a span, as an argument of MovingPairs::add.
+/// Whether boxes may overlap at some time of a span, as an argument of WaitingMovingPairs::add.
 struct OverlapWithin {
   TimeSpan span;
 
   [[gnu::always_inline]] unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
-    TimeRanges8 times(span.start, span.end);
+    TimeSpans8 times = times_between(span.start, span.end);
     return may_overlap(a, b, times);
   }
 };
@@ -119,8 +119,8 @@ class FirstContactSteps : MovingOverlap {
     return open_node(tree, index, work_);
   }
 
-  TimeRanges8 times_of(const TimeSpan& span) const {
-    return TimeRanges8(span.start, std::min(span.end, latest()));
+  TimeSpans8 times_of(const TimeSpan& span) const {
+    return times_between(span.start, std::min(span.end, latest()));
   }
 
   void add(ItemStep step, std::uint32_t node_a, unsigned slots_a, std::uint32_t node_b,
@@ -142,13 +142,13 @@ class FirstContactSteps : MovingOverlap {
     base_ += kMovingNodePairWork;
     const MovingNode a = open(a_, item.node_a), b = open(b_, item.node_b);
     const Node& node_a = a_.moving.tree.nodes[item.node_a];
-    TimeRanges8 times = times_of({item.start, item.end});
+    TimeSpans8 times = times_of({item.start, item.end});
     const unsigned near_a = item.slots_a & slots_in(a, box_of(b), times);
     const TimeSpanLanes spans(times);
     SpansOfChildB spans_of_child_b;
     count_ = 0;
     for (SetBits slot(near_a); slot; ++slot) {
-      TimeRanges8 times_b = times_of(spans[*slot]);
+      TimeSpans8 times_b = times_of(spans[*slot]);
       const unsigned near_b = item.slots_b & slots_in(b, box_of(a, *slot), times_b);
       if (near_b == 0) continue;
       const TimeSpanLanes spans_b(times_b);
@@ -196,7 +196,7 @@ class FirstContactSteps : MovingOverlap {
     base_ += kMovingNodePairWork / 2;
     const MovingNode a = open(a_, item.node_a), b = open(b_, item.node_b);
     const Node& node_b = b_.moving.tree.nodes[item.node_b];
-    TimeRanges8 times = times_of({item.start, item.end});
+    TimeSpans8 times = times_of({item.start, item.end});
     const unsigned slots_b = item.slots_b & slots_in(b, box_of(a), times);
     const TimeSpanLanes spans(times);
     count_ = 0;
@@ -204,7 +204,7 @@ class FirstContactSteps : MovingOverlap {
       add(ItemStep::compare, item.node_a, kAllSlots, item.node_b, clusters, spans.of_all(clusters),
           item.depth);
     for (SetBits slot(slots_b & ~clusters_of(node_b)); slot; ++slot) {
-      TimeRanges8 times_a = times_of(spans[*slot]);
+      TimeSpans8 times_a = times_of(spans[*slot]);
       const unsigned slots_a = slots_in(a, box_of(b, *slot), times_a);
       if (slots_a != 0)
         add(ItemStep::compare, item.node_a, slots_a, child(node_b, *slot), kAllSlots,
@@ -325,7 +325,7 @@ class FirstContactSteps : MovingOverlap {
   MovingSide a_, b_;
   FirstContactState& state_;
   MovingStats work_;
-  MovingPairs pairs_;
+  WaitingMovingPairs pairs_;
   std::uint64_t base_;  ///< work without what `work_` counts in double and in exact arithmetic
   TimeSpan item_span_;  ///< of the clusters that are being tested
   TimedItem new_[kMostNew];

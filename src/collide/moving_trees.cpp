@@ -6,7 +6,6 @@
 #include "motion/meeting_order.hpp"
 #include "motion/moving_boxes.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_triangles.hpp"
 #include "query/contact_sink.hpp"
 #include "query/pair_descent.hpp"
 
@@ -33,8 +32,8 @@ class IntersectingWhileMoving : public MovingOverlap {
 
  private:
   const LimitedSink<MovingContact>& sink_;
-  MovingPairs pairs_;
-  MovingTriangles<MovingPairs, const LimitedSink<MovingContact>> triangles_;
+  WaitingMovingPairs pairs_;
+  MovingTrianglePairs<WaitingMovingPairs, const LimitedSink<MovingContact>> triangles_;
 };
 
 }  // namespace
@@ -67,9 +66,9 @@ class FirstWhileMoving : public MovingOverlap {
 
   /// Boxes that overlap at time 0 by their depth, and before all others by the negative time.
   float depth(const MovingNode& a, unsigned slot, const MovingNode& b) const {
-    TimeRanges8 times(latest());
+    TimeSpans8 times = times_between(0, latest());
     slots_in(a, box_of(b), times);
-    const float start = lane_of(times.start(), slot);
+    const float start = lane_of(times.start, slot);
     return start > 0 ? -start : BoxOverlap::depth(a.from, slot, b.from);
   }
 
@@ -95,7 +94,7 @@ class FirstWhileMoving : public MovingOverlap {
     set_latest(earliest_.latest());
   }
 
-  MovingPairs pairs_;
+  WaitingMovingPairs pairs_;
   EarliestPair& earliest_;
   MovingStats& work_;
 };

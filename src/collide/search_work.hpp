@@ -1,5 +1,7 @@
 #pragma once
 
+/// How much work a search has done, and which nodes it has needed.
+
 #include <pelt/search.hpp>
 
 #include "pose/pool_vertices.hpp"

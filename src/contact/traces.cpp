@@ -12,11 +12,11 @@
 namespace pelt::detail {
 namespace {
 
-FeatureName name_of(Feature feature, std::uint32_t triangle, const Surface& surface) {
-  if (feature == Feature::face) return {triangle, 0, 2};
+FeatureName name_of(OpenFeature feature, std::uint32_t triangle, const Surface& surface) {
+  if (feature == OpenFeature::face) return {triangle, 0, 2};
   const Triangle& corners = surface.corners[triangle];
   const auto number = static_cast<std::size_t>(feature);
-  if (feature <= Feature::corner2) return {corners[number], 0, 0};
+  if (feature <= OpenFeature::corner2) return {corners[number], 0, 0};
   const auto [less, more] = std::minmax(corners[number - 3], corners[(number - 2) % 3]);
   return {less, more, 1};
 }

@@ -28,7 +28,7 @@ namespace {
 /// An end of a triangle's interval, on a directed line that goes from the front of the other's
 /// plane to its back.
 struct IntervalEnd {
-  Feature feature = Feature::face;
+  OpenFeature feature = OpenFeature::face;
   const Vec3 *front = nullptr, *back = nullptr;
 };
 
@@ -44,7 +44,7 @@ IntervalEnd end_in_corner(const TriangleCorners& t, const PlaneSides& s, std::si
 struct Interval {
   IntervalEnd to_front,
       to_back;  ///< where the outline comes to the front, and where it goes behind
-  Feature within = Feature::face;  ///< the feature between them
+  OpenFeature within = OpenFeature::face;  ///< the feature between them
 };
 
 /// Precondition: the corners are not all on the plane, nor all on one open side of it.
@@ -98,15 +98,15 @@ Crossing cross_intervals(const Interval& a, const Interval& b) {
   return crossing;
 }
 
-bool is_corner(Feature f) { return f <= Feature::corner2; }
-bool is_edge(Feature f) { return f >= Feature::edge0 && f <= Feature::edge2; }
+bool is_corner(OpenFeature f) { return f <= OpenFeature::corner2; }
+bool is_edge(OpenFeature f) { return f >= OpenFeature::edge0 && f <= OpenFeature::edge2; }
 
 struct Edge {
   Vec3 from, to;
 };
 
 /// Puts the end with the lesser coordinates first, so that both triangles with the edge agree.
-Edge edge_of(const TriangleCorners& t, Feature edge) {
+Edge edge_of(const TriangleCorners& t, OpenFeature edge) {
   const std::size_t i = static_cast<std::size_t>(edge) - 3;
   const Vec3 &p = t[i], &q = t[(i + 1) % 3];
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z) ? Edge{p, q} : Edge{q, p};

@@ -1,5 +1,7 @@
 #pragma once
 
+/// How two triangles intersect: which features meet, and where.
+
 #include "geometry/triangle_pair.hpp"
 
 #include <array>
@@ -9,15 +11,19 @@ namespace pelt::detail {
 
 /// A corner of a triangle, an edge without its ends, or the interior. Edge i leads from corner i to
 /// the next corner.
-enum class Feature : std::uint8_t { corner0, corner1, corner2, edge0, edge1, edge2, face };
+enum class OpenFeature : std::uint8_t { corner0, corner1, corner2, edge0, edge1, edge2, face };
 
-inline constexpr Feature corner_feature(std::size_t corner) { return static_cast<Feature>(corner); }
-inline constexpr Feature edge_feature(std::size_t edge) { return static_cast<Feature>(3 + edge); }
+inline constexpr OpenFeature corner_feature(std::size_t corner) {
+  return static_cast<OpenFeature>(corner);
+}
+inline constexpr OpenFeature edge_feature(std::size_t edge) {
+  return static_cast<OpenFeature>(3 + edge);
+}
 
 /// An end of the segment in which two triangles intersect, where a feature of one meets a feature
 /// of the other: a corner and any feature, two edges, or an edge and a face; never two faces.
 struct CrossingEnd {
-  Feature a = Feature::face, b = Feature::face;
+  OpenFeature a = OpenFeature::face, b = OpenFeature::face;
 
   friend bool operator==(const CrossingEnd&, const CrossingEnd&) = default;
 };

@@ -1,3 +1,5 @@
+/// The functions of pelt::Crowd.
+
 #include <pelt/crowd.hpp>
 
 #include "crowd/crowd_query.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+/// The instances of a crowd: their poses, and what queries have computed of them.
+
 #include <pelt/crowd.hpp>
 
 #include "model/model.hpp"

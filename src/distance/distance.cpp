@@ -1,3 +1,5 @@
+/// The queries for the least distance, of two poses and of points.
+
 #include <pelt/distance.hpp>
 
 #include "base/assert.hpp"

@@ -1,5 +1,11 @@
 #pragma once
 
+/// Signs of orientation determinants, exact on float32 coordinates: -1, 0 or 1.
+///
+/// A filter in double decides all but nearly degenerate cases, which exact arithmetic decides. No
+/// operation overflows or underflows in either: differences and products of floats are multiples of
+/// 2^-447 below 2^400 up to degree three, both well inside the range of double.
+
 #include <pelt/math.hpp>
 
 #include "base/vec3.hpp"
@@ -7,12 +13,6 @@
 #include <cstdint>
 
 namespace pelt::detail {
-
-/// Signs of orientation determinants, exact on float32 coordinates: -1, 0 or 1.
-///
-/// A filter in double decides all but nearly degenerate cases, which exact arithmetic decides. No
-/// operation overflows or underflows in either: differences and products of floats are multiples of
-/// 2^-447 below 2^400 up to degree three, both well inside the range of double.
 
 /// The plane through three points, prepared for testing many other points. Stores references to the
 /// points.

@@ -6,7 +6,6 @@
 
 #include "field/field_cells.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_triangles.hpp"
 #include "pose/open_node.hpp"
 #include "query/contact_sink.hpp"
 #include "query/slots.hpp"
@@ -71,34 +70,33 @@ FieldBox lane_of(const Boxes& boxes, unsigned lane) {
             {boxes.high[0][lane], boxes.high[1][lane], boxes.high[2][lane]}};
 }
 
-template <typename Boxes>
-Float8 lows(const Boxes& boxes, unsigned first) {
-  if constexpr (AtBothEnds<Boxes>)
-    return min(lows(boxes.from, first), lows(boxes.to, first));
-  else
-    return load8(boxes.low[1] + first);
-}
+/// The heights of the eight boxes starting at lane `first`.
+struct Heights8 {
+  template <typename Boxes>
+  Heights8(const Boxes& boxes, unsigned first)
+      : low(load8(boxes.low[1] + first)), high(load8(boxes.high[1] + first)) {}
 
-template <typename Boxes>
-Float8 highs(const Boxes& boxes, unsigned first) {
-  if constexpr (AtBothEnds<Boxes>)
-    return max(highs(boxes.from, first), highs(boxes.to, first));
-  else
-    return load8(boxes.high[1] + first);
-}
+  template <AtBothEnds Boxes>
+  Heights8(const Boxes& boxes, unsigned first) : Heights8(boxes.from, first) {
+    const Heights8 to(boxes.to, first);
+    low = min(low, to.low);
+    high = max(high, to.high);
+  }
+
+  Float8 low, high;
+};
 
 /// Returns which of the eight boxes starting at lane `first` overlap the range of heights.
 template <typename Boxes>
 unsigned between(const Boxes& boxes, unsigned first, const HeightRange& heights) {
-  return ((lows(boxes, first) <= Float8(heights.high)) &
-          (Float8(heights.low) <= highs(boxes, first)))
-      .bits();
+  const Heights8 of(boxes, first);
+  return ((of.low <= Float8(heights.high)) & (Float8(heights.low) <= of.high)).bits();
 }
 
 /// Pairs of a triangle of a tree and a triangle of a height field that wait until there are eight.
-class FieldPairs {
+class WaitingFieldPairs {
  public:
-  explicit FieldPairs(const Tree& tree) : tree_(tree) {}
+  explicit WaitingFieldPairs(const Tree& tree) : tree_(tree) {}
 
   bool is_full() const { return waiting_.is_full(); }
   std::uint32_t count() const { return waiting_.count(); }
@@ -148,16 +146,16 @@ class FieldPairs {
 };
 
 /// Tests pairs of a posed tree: by the certified float test, and the rest by the exact predicate.
-class StillPairs : FieldPairs {
+class FieldPairs : WaitingFieldPairs {
  public:
   using View = PosedTree;
   using AnyCluster = PosedCluster;
 
-  StillPairs(const Tree& tree, const ContactSink& sink, QueryStats& work)
-      : FieldPairs(tree), sink_(sink), work_(work) {}
+  FieldPairs(const Tree& tree, const ContactSink& sink, QueryStats& work)
+      : WaitingFieldPairs(tree), sink_(sink), work_(work) {}
 
   void add(const PosedCluster& c, std::uint32_t triangle, const FieldTriangle& field) {
-    FieldPairs::add({triangle, c.opened.positions, c.opened.positions, field});
+    WaitingFieldPairs::add({triangle, c.opened.positions, c.opened.positions, field});
     if (is_full()) flush();
   }
 
@@ -183,13 +181,13 @@ class StillPairs : FieldPairs {
   QueryStats& work_;
 };
 
-/// Pairs of a moving tree, for MovingTriangles.
-class WaitingMovingPairs : public FieldPairs {
+/// Pairs of a moving tree, for MovingTrianglePairs.
+class WaitingMovingFieldPairs : public WaitingFieldPairs {
  public:
-  using FieldPairs::FieldPairs;
+  using WaitingFieldPairs::WaitingFieldPairs;
 
   void add(const MovingCluster& c, std::uint32_t triangle, const FieldTriangle& field) {
-    FieldPairs::add({triangle, c.opened.from.positions, c.opened.to.positions, field});
+    WaitingFieldPairs::add({triangle, c.opened.from.positions, c.opened.to.positions, field});
   }
 
   MovingPairs8 corners8() {
@@ -231,11 +229,11 @@ class MovingFieldPairs {
   void flush() { triangles_.flush(); }
 
  private:
-  WaitingMovingPairs pairs_;
-  MovingTriangles<WaitingMovingPairs, const LimitedSink<MovingContact>> triangles_;
+  WaitingMovingFieldPairs pairs_;
+  MovingTrianglePairs<WaitingMovingFieldPairs, const LimitedSink<MovingContact>> triangles_;
 };
 
-/// `Pairs`: StillPairs or MovingFieldPairs.
+/// `Pairs`: FieldPairs or MovingFieldPairs.
 template <typename Pairs, typename Sink>
 class FieldDescent {
  public:
@@ -320,7 +318,7 @@ QueryStats collide_field(const PosedTree& posed, const HeightField& field, Scrat
                          std::uint32_t max_contacts) {
   QueryStats work;
   const ContactSink sink(scratch.found, max_contacts);
-  StillPairs pairs(posed.tree, sink, work);
+  FieldPairs pairs(posed.tree, sink, work);
   FieldDescent(posed, field, scratch.nodes, pairs, sink, work).run();
   return work;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+/// A box in two vectors of four floats.
+
 #include "base/float4.hpp"
 
 #include <cmath>

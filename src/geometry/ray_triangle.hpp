@@ -1,5 +1,7 @@
 #pragma once
 
+/// Exact tests of a line and a triangle, and the point in which they meet.
+
 #include "base/vec3.hpp"
 #include "geometry/triangle_pair.hpp"
 

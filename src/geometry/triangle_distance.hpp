@@ -1,12 +1,5 @@
 #pragma once
 
-#include "base/vec3.hpp"
-#include "geometry/triangle_pair.hpp"
-
-#include <array>
-
-namespace pelt::detail {
-
 /// Definition of the distance of a point and of a triangle from a triangle, which every query uses.
 /// Computed in double from float32 coordinates, always with the same operations and bits.
 ///
@@ -18,6 +11,14 @@ namespace pelt::detail {
 /// boxes, computed in float. The squared distance of the triangles is at least kBoxGapShare g -
 /// kBoxGapUnderflow, which is below the real g: with e = 2^-24, gaps of boxes take one rounding,
 /// their squares three, and sums two more, and underflow amounts to less than 2^-147.
+
+#include "base/vec3.hpp"
+#include "geometry/triangle_pair.hpp"
+
+#include <array>
+
+namespace pelt::detail {
+
 inline constexpr double kDistanceError = 0x1p-46;
 inline constexpr float kBoxGapShare = 1 - 0x1p-20f, kBoxGapUnderflow = 0x1p-120f;
 

@@ -1,5 +1,7 @@
 #pragma once
 
+/// The exact test of two triangles.
+
 #include <pelt/math.hpp>
 
 #include <array>

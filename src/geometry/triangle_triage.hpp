@@ -1,5 +1,7 @@
 #pragma once
 
+/// The certified float test of eight pairs of triangles.
+
 #include "base/float8.hpp"
 
 namespace pelt::detail {

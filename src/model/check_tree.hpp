@@ -1,5 +1,7 @@
 #pragma once
 
+/// Checks of models from files, which may be hostile.
+
 #include "base/problem.hpp"
 #include "model/node_bounds.hpp"
 #include "model/tree.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Intervals of doubles, and boxes of floats that enclose them.
+
 #include "base/vec3.hpp"
 
 #include <algorithm>

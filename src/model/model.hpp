@@ -1,5 +1,7 @@
 #pragma once
 
+/// The data of a model.
+
 #include <pelt/model.hpp>
 
 #include "model/node_bounds.hpp"

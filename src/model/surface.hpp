@@ -1,5 +1,7 @@
 #pragma once
 
+/// The surface of a model: which triangles adjoin.
+
 #include <pelt/surface.hpp>
 
 #include "model/model.hpp"

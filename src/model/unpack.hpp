@@ -1,5 +1,7 @@
 #pragma once
 
+/// The mesh of a tree.
+
 #include "model/tree.hpp"
 #include "skin/skinned_mesh.hpp"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Vertices that are one: equal in every bit, or one point of the surface.
+
 #include "model/tree.hpp"
 #include "skin/skinned_mesh.hpp"
 

@@ -203,14 +203,14 @@ const Candidate* first_of(const Candidates& candidates, const Holds& holds) {
 }
 
 /// The corners of a feature, of which some are repeated. `first` is 0 for triangle a, 3 for b.
-inline std::array<std::size_t, 3> corners_of(const ClosedFeature& feature, std::size_t first) {
+inline std::array<std::size_t, 3> corners_of(const Feature& feature, std::size_t first) {
   const std::size_t i = feature.number, next = (i + 1) % 3;
   switch (feature.kind) {
-    case ClosedFeature::Kind::corner:
+    case FeatureKind::corner:
       return {first + i, first + i, first + i};
-    case ClosedFeature::Kind::edge:
+    case FeatureKind::edge:
       return {first + i, first + next, first + next};
-    case ClosedFeature::Kind::face:
+    case FeatureKind::face:
       break;
   }
   return {first, first + 1, first + 2};
@@ -219,8 +219,8 @@ inline std::array<std::size_t, 3> corners_of(const ClosedFeature& feature, std::
 /// Sets `a` and `b` to the first pair of features for which `meet(corners_a, corners_b)`. Returns
 /// false if there is none.
 template <typename Meet>
-bool find_feature_pair(ClosedFeature& a, ClosedFeature& b, const Meet& meet) {
-  using Kind = ClosedFeature::Kind;
+bool find_feature_pair(Feature& a, Feature& b, const Meet& meet) {
+  using Kind = FeatureKind;
   constexpr std::array<std::array<Kind, 2>, 6> kOrder = {{{Kind::corner, Kind::corner},
                                                           {Kind::corner, Kind::edge},
                                                           {Kind::edge, Kind::corner},

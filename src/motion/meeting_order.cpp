@@ -49,10 +49,10 @@ class MeetingCorners {
   }
 
  private:
-  void add(const MovingTriangle& triangle, const ClosedFeature& feature) {
-    const std::size_t corners = feature.kind == ClosedFeature::Kind::corner ? 1
-                                : feature.kind == ClosedFeature::Kind::edge ? 2
-                                                                            : 3;
+  void add(const MovingTriangle& triangle, const Feature& feature) {
+    const std::size_t corners = feature.kind == FeatureKind::corner ? 1
+                                : feature.kind == FeatureKind::edge ? 2
+                                                                    : 3;
     for (std::size_t i = 0; i < corners; ++i) {
       const std::size_t corner = (feature.number + i) % 3;
       corners_[count_++] = {triangle.from[corner], triangle.to[corner]};

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Which of several pairs of moving triangles meets first.
+
 #include <pelt/motion.hpp>
 
 #include "motion/moving_pair.hpp"

@@ -4,16 +4,17 @@
 /// `from` at time 0 and positions in a box `to` at time 1. At time t, they are inside the box
 /// (1 - t) from + t to, because each bound is a bound of both ends.
 ///
-/// On one axis, two such boxes overlap at time t if both gaps are at least 0: the upper bound of
-/// one less the lower bound of the other. Gaps are linear in t. If one is negative at both ends,
-/// the boxes never overlap. If it is negative at one end only, it is 0 at t = g0 / (g0 - g1), and
-/// the boxes overlap on one side of this time at most.
+/// On one axis, two such boxes are apart at time t if a gap is positive: the lower bound of one
+/// less the upper bound of the other. Gaps are linear in t. If one is positive at both ends, the
+/// boxes never overlap. If it is positive at one end only, it is 0 at t = g0 / (g0 - g1), and the
+/// boxes overlap on one side of this time at most.
 ///
 /// Rounding. The sign of a float difference is exact. g0 and g1 have different signs, so the
 /// quotient has at most four relative errors of 2^-24; the factors 1 -+ 2^-21 cover them and their
 /// own, and 2^-100 covers underflow.
 
 #include "motion/moving_tree.hpp"
+#include "motion/moving_triage.hpp"
 #include "pose/pose_boxes.hpp"
 #include "query/pair_descent.hpp"
 #include "query/slots.hpp"
@@ -25,34 +26,25 @@ struct MovingBoxes8 {
   Boxes8 from, to;
 };
 
-/// The times in [start, end], one range per lane. Empty if start > end.
-class TimeRanges8 {
- public:
-  /// From 0 to `latest`.
-  explicit TimeRanges8(float latest) : TimeRanges8(0, latest) {}
+inline TimeSpans8 times_between(float earliest, float latest) {
+  return {Float8(earliest), Float8(latest)};
+}
 
-  TimeRanges8(float earliest, float latest) : start_(earliest), end_(latest) {}
+/// Removes times at which a gap is certainly positive. Precondition: in lanes that matter, it is
+/// not positive at both ends.
+[[gnu::always_inline]] inline void clip(TimeSpans8& times, const Float8& gap_at_0,
+                                        const Float8& gap_at_1) {
+  const Float8 zero(0.0f), time = gap_at_0 / (gap_at_0 - gap_at_1);
+  const Float8 early = time * Float8(1 - 0x1p-21f) - Float8(0x1p-100f);
+  const Float8 late = time * Float8(1 + 0x1p-21f) + Float8(0x1p-100f);
+  times.start = select(zero < gap_at_0, max(times.start, early), times.start);
+  times.end = select(zero < gap_at_1, min(times.end, late), times.end);
+}
 
-  /// Removes times at which a gap is certainly negative. Precondition: in lanes that matter, it is
-  /// not negative at both ends.
-  void clip(const Float8& from, const Float8& to) {
-    const Float8 zero(0.0f), time = from / (from - to);
-    const Mask8 opens = from < zero, closes = to < zero;
-    start_ = select(opens, max(start_, time * Float8(1 - 0x1p-21f) - Float8(0x1p-100f)), start_);
-    end_ = select(closes, min(end_, time * Float8(1 + 0x1p-21f) + Float8(0x1p-100f)), end_);
-  }
-
-  unsigned not_empty() const { return (start_ <= end_).bits(); }
-  const Float8& start() const { return start_; }
-  const Float8& end() const { return end_; }
-
- private:
-  Float8 start_, end_;
-};
-
-/// Returns which boxes may overlap at some time, one bit per lane.
+/// Returns which boxes may overlap at some time, one bit per lane. Removes other times from
+/// `times`.
 [[gnu::always_inline]] inline unsigned may_overlap(const MovingBoxes8& a, const MovingBoxes8& b,
-                                                   TimeRanges8& times) {
+                                                   TimeSpans8& times) {
   const auto beside = [](const Boxes8& low, const Boxes8& high, int axis) {
     return high.high[axis] < low.low[axis];
   };
@@ -63,18 +55,19 @@ class TimeRanges8 {
   const unsigned near = ~apart.bits() & 0xFF;
   if (near == 0) return 0;
   for (int axis = 0; axis < 3; ++axis) {
-    times.clip(b.from.high[axis] - a.from.low[axis], b.to.high[axis] - a.to.low[axis]);
-    times.clip(a.from.high[axis] - b.from.low[axis], a.to.high[axis] - b.to.low[axis]);
+    clip(times, a.from.low[axis] - b.from.high[axis], a.to.low[axis] - b.to.high[axis]);
+    clip(times, b.from.low[axis] - a.from.high[axis], b.to.low[axis] - a.to.high[axis]);
   }
   return near & times.not_empty();
 }
 
-/// Whether boxes may overlap at some time until `latest`, as an argument of MovingPairs::add.
+/// Whether boxes may overlap at some time until `latest`, as an argument of
+/// WaitingMovingPairs::add.
 struct OverlapUntil {
   float latest = 1;
 
   [[gnu::always_inline]] unsigned operator()(const MovingBoxes8& a, const MovingBoxes8& b) const {
-    TimeRanges8 times(latest);
+    TimeSpans8 times = times_between(0, latest);
     return may_overlap(a, b, times);
   }
 };
@@ -95,12 +88,12 @@ class MovingOverlap {
   }
 
   unsigned slots_near(const MovingNode& of, const MovingNode& all) const {
-    TimeRanges8 times(latest_);
+    TimeSpans8 times = times_between(0, latest_);
     return slots_in(of, box_of(all), times);
   }
 
   unsigned slots_near(const MovingNode& of, const MovingNode& other, unsigned slot) const {
-    TimeRanges8 times(latest_);
+    TimeSpans8 times = times_between(0, latest_);
     return slots_in(of, box_of(other, slot), times);
   }
 
@@ -124,7 +117,7 @@ class MovingOverlap {
   }
 
   [[gnu::always_inline]] static unsigned slots_in(const MovingNode& node, const MovingBoxes8& box,
-                                                  TimeRanges8& times) {
+                                                  TimeSpans8& times) {
     return may_overlap(
         {load_boxes(node.from.low, node.from.high, 0), load_boxes(node.to.low, node.to.high, 0)},
         box, times);
@@ -146,7 +139,7 @@ inline bool begin_descent(const MovingTree& a, const MovingTree& b, QueryStats& 
     const RootBox& box = root_box(posed, work);
     return repeat(point_box(box.low, box.high));
   };
-  TimeRanges8 times(1);
+  TimeSpans8 times = times_between(0, 1);
   if (!may_overlap({boxes(a.from), boxes(a.to)}, {boxes(b.from), boxes(b.to)}, times)) return false;
   make_table(a);
   make_table(b);

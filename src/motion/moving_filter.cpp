@@ -145,9 +145,9 @@ class PieceSearch {
 // The step of a pair.
 
 /// Times outside which the boxes of the triangles are disjoint: multiples of 2^-10.
-class BoxTimes {
+class TimeSpanOfBoxes {
  public:
-  BoxTimes(const MovingTriangle& a, const MovingTriangle& b) {
+  TimeSpanOfBoxes(const MovingTriangle& a, const MovingTriangle& b) {
     cut(a, b, &Vec3::x);
     cut(a, b, &Vec3::y);
     cut(a, b, &Vec3::z);
@@ -256,7 +256,7 @@ Vectors vectors(const TriangleCorners& a, const TriangleCorners& b) {
 class Bisection {
  public:
   Bisection(const MovingTriangle& a, const MovingTriangle& b) : a_(a), b_(b) {
-    const BoxTimes times(a, b);
+    const TimeSpanOfBoxes times(a, b);
     if (times.is_empty()) return;
     const Vectors from = vectors(a.from, b.from), to = vectors(a.to, b.to);
     errors_ = error_bounds(from, to);
@@ -318,7 +318,7 @@ class Bisection {
     SignAtFloat sign(a_, b_, piece, root.determinant, errors_[root.determinant]);
     meeting.time = rounded_down(piece, piece.start + root.part * (piece.end - piece.start), sign);
     const FeaturePair features(root.determinant);
-    using Kind = ClosedFeature::Kind;
+    using Kind = FeatureKind;
     switch (features.kind) {
       case FeaturePair::Kind::face_and_corner:
         meeting.a = {Kind::face, 0}, meeting.b = {Kind::corner, features.j};
@@ -376,11 +376,8 @@ std::optional<FirstMeeting> find_first_meeting(const MovingTriangle& a, const Mo
 }
 
 MovingContact moving_contact(const Contact& contact, const FirstMeeting& first) {
-  const auto feature = [](const ClosedFeature& f) {
-    return Feature{static_cast<FeatureKind>(f.kind), f.number};
-  };
   if (first.at_start) return {contact, 0, true, {}, {}};
-  return {contact, first.time, false, feature(first.a), feature(first.b)};
+  return {contact, first.time, false, first.a, first.b};
 }
 
 }  // namespace pelt::detail

@@ -1,5 +1,9 @@
 #pragma once
 
+/// When and where two moving triangles first meet, in exact arithmetic.
+
+#include <pelt/motion.hpp>
+
 #include "motion/moving_polynomials.hpp"
 
 #include <cstddef>
@@ -7,17 +11,6 @@
 #include <optional>
 
 namespace pelt::detail {
-
-/// A corner, an edge with its ends, or a triangle with its boundary. Edge i leads from corner i to
-/// the next corner.
-struct ClosedFeature {
-  enum class Kind : std::uint8_t { corner, edge, face };
-
-  Kind kind = Kind::face;
-  std::uint8_t number = 0;  ///< 0 for a face
-
-  friend bool operator==(const ClosedFeature&, const ClosedFeature&) = default;
-};
 
 /// Where and when two moving triangles first meet.
 struct FirstMeeting {
@@ -27,11 +20,11 @@ struct FirstMeeting {
   /// Whether the triangles intersect at time 0. The features then have no meaning.
   bool at_start = false;
 
-  /// The closed features of a and b that meet at the exact first time. If several pairs meet, this
+  /// The features of a and b that meet at the exact first time. If several pairs meet, this
   /// is the first one in this order: two corners, a corner and an edge, an edge and a corner, a
   /// corner and a face, a face and a corner, two edges; lower numbers of a first, then lower
   /// numbers of b.
-  ClosedFeature a, b;
+  Feature a, b;
 
   friend bool operator==(const FirstMeeting&, const FirstMeeting&) = default;
 };

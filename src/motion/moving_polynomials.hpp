@@ -1,5 +1,7 @@
 #pragma once
 
+/// Moving triangles, and the polynomials whose signs decide whether they intersect.
+
 #include "exact/critical_time.hpp"
 #include "geometry/triangle_pair.hpp"
 

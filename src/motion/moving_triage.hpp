@@ -1,5 +1,7 @@
 #pragma once
 
+/// The certified float test of eight pairs of moving triangles.
+
 #include "geometry/triangle_triage.hpp"
 
 namespace pelt::detail {
@@ -10,12 +12,15 @@ struct MovingPairs8 {
   TrianglePairs8 from, to;
 };
 
-/// For each pair, times from 0 to 1 outside which the boxes of the triangles are disjoint. A pair
-/// whose `start` is after its `end` never intersects.
+/// Eight spans of time, one per lane. Empty if `start` is after `end`.
 struct TimeSpans8 {
   Float8 start, end;
+
+  unsigned not_empty() const { return (start <= end).bits(); }
 };
 
+/// For each pair, times from 0 to 1 outside which the boxes of the triangles are disjoint. A pair
+/// with an empty span never intersects.
 TimeSpans8 times_of_boxes(const MovingPairs8& pairs);
 
 /// Decides nearly all of the pairs `asked` in general position. `apart`: the triangles never

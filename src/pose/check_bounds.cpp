@@ -1,3 +1,5 @@
+/// Compares the boxes of all nodes with the vertices below them.
+
 #include <pelt/pose.hpp>
 
 #include "base/problem.hpp"

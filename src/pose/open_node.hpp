@@ -1,5 +1,7 @@
 #pragma once
 
+/// Opens nodes: poses their vertices, and computes the boxes of their slots.
+
 #include <pelt/collide.hpp>
 
 #include "base/instruction_set.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+/// An instance of a model: what poses its vertices, and what queries have computed.
+
 #include <pelt/pose.hpp>
 
 #include "base/problem.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+/// The root box of an instance, and the boxes around given vertices.
+
 #include <pelt/math.hpp>
 
 #include "base/arena.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Finds triangles by the caller's numbers.
+
 #include <pelt/query.hpp>
 
 #include "geometry/triangle_pair.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Working memory of queries.
+
 #include "base/arena.hpp"
 #include "query/stack.hpp"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+/// Sorts what a query has found.
+
 #include "query/scratch.hpp"
 #include "query/stack.hpp"
 

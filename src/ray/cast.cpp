@@ -1,3 +1,5 @@
+/// The queries of rays against a pose.
+
 #include <pelt/ray.hpp>
 
 #include "base/assert.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+/// The door of this room: descents of a posed tree along rays.
+
 #include <pelt/ray.hpp>
 
 #include "base/instruction_set.hpp"

@@ -14,7 +14,6 @@
 
 #include "collide/cluster_pair.hpp"
 #include "motion/moving_pairs.hpp"
-#include "motion/moving_triangles.hpp"
 #include "self/grid_boxes.hpp"
 #include "self/neighbour_gaps.hpp"
 #include "self/self_filter.hpp"
@@ -168,8 +167,8 @@ class MovingClusterPairs {
 
   const MovingTree& moving_;
   const PairMasks& masks_;
-  MovingPairs pairs_;
-  MovingTriangles<MovingPairs, FilteredSink<MovingContact>> triangles_;
+  WaitingMovingPairs pairs_;
+  MovingTrianglePairs<WaitingMovingPairs, FilteredSink<MovingContact>> triangles_;
 };
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -175,7 +175,7 @@ class Neighbours {
         find_feature_pair(meeting.a, meeting.b, [&](const auto& a, const auto& b) {
           return !have_shared_corner(a, b) && hulls_meet(signs_, a, b);
         });
-    if (!is_found) meeting.a = meeting.b = ClosedFeature{};
+    if (!is_found) meeting.a = meeting.b = Feature{};
   }
 
  private:

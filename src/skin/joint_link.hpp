@@ -1,5 +1,7 @@
 #pragma once
 
+/// Joints that share vertices, and their relative motion in a palette.
+
 #include "base/instruction_set.hpp"
 #include "skin/dual_skin.hpp"
 

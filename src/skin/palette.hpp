@@ -1,5 +1,7 @@
 #pragma once
 
+/// What moves the vertices of an instance: joints, morph weights and offsets.
+
 #include <pelt/math.hpp>
 #include <pelt/result.hpp>
 

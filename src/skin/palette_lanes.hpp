@@ -1,5 +1,7 @@
 #pragma once
 
+/// Passes over all joints of a palette, in vector code.
+
 #include "base/instruction_set.hpp"
 #include "skin/dual_skin.hpp"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+/// A validated mesh.
+
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>
 #include <pelt/model.hpp>

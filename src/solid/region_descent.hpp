@@ -1,5 +1,7 @@
 #pragma once
 
+/// Descents of a posed tree, still or moving, against a region.
+
 #include <pelt/motion.hpp>
 
 #include "base/instruction_set.hpp"

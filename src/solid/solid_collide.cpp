@@ -1,3 +1,5 @@
+/// The queries of a pose, and of a motion, against regions.
+
 #include <pelt/solid.hpp>
 
 #include "base/assert.hpp"

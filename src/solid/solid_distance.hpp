@@ -1,5 +1,7 @@
 #pragma once
 
+/// Distances of triangles, and of a posed tree, from a solid.
+
 #include <pelt/solid.hpp>
 
 #include "base/instruction_set.hpp"

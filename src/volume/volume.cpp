@@ -1,3 +1,5 @@
+/// The queries for volumes.
+
 #include <pelt/inside.hpp>
 
 #include "base/assert.hpp"

@@ -29,14 +29,10 @@ inline MovingTriangles moving_triangles(std::span<const Triangle> triangles, con
   return all;
 }
 
-inline Feature feature(const detail::ClosedFeature& f) {
-  return {static_cast<FeatureKind>(f.kind), f.number};
-}
-
 inline MovingContact contact_of(std::uint32_t a, std::uint32_t b,
                                 const detail::FirstMeeting& first) {
   if (first.at_start) return {{a, b}, first.time, true, {}, {}};
-  return {{a, b}, first.time, false, feature(first.a), feature(first.b)};
+  return {{a, b}, first.time, false, first.a, first.b};
 }
 
 /// Whether the boxes of the whole paths of two triangles are disjoint.

@@ -18,7 +18,7 @@ namespace {
 using detail::Crossing;
 using detail::CrossingEnd;
 using detail::CrossingKind;
-using detail::Feature;
+using detail::OpenFeature;
 using detail::TriangleCorners;
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -39,13 +39,13 @@ std::vector<Point3> ends_by_cgal(const Triangle3& a, const Triangle3& b) {
 }
 
 /// The feature of a triangle that contains a point of it.
-Feature feature_at(const Triangle3& t, const Point3& p) {
+OpenFeature feature_at(const Triangle3& t, const Point3& p) {
   for (int i = 0; i < 3; ++i)
     if (t.vertex(i) == p) return detail::corner_feature(static_cast<std::size_t>(i));
   for (int i = 0; i < 3; ++i)
     if (CGAL::collinear(t.vertex(i), t.vertex(i + 1), p))
       return detail::edge_feature(static_cast<std::size_t>(i));
-  return Feature::face;
+  return OpenFeature::face;
 }
 
 /// The largest distance along an axis.
@@ -83,7 +83,7 @@ void check_ends(const TriangleCorners& a, const TriangleCorners& b, const Crossi
     const CrossingEnd& end = crossing.ends[i];
     EXPECT_EQ(end.a, feature_at(cgal_a, expected[i])) << "end " << i;
     EXPECT_EQ(end.b, feature_at(cgal_b, expected[i])) << "end " << i;
-    ++seen.on_faces[{end.a == Feature::face, end.b == Feature::face}];
+    ++seen.on_faces[{end.a == OpenFeature::face, end.b == OpenFeature::face}];
     const double error = distance(expected[i], detail::crossing_position(end, a, b)) /
                          std::max(extent(a), extent(b));
     seen.worst_error = std::max(seen.worst_error, error);
@@ -142,7 +142,7 @@ TEST(TriangleCrossing, IsPlacedAlikeForTrianglesThatShareAnEdge) {
   const TriangleCorners face = {{{-3, -3, 0.1f}, {3, -2, 0}, {0, 4, -0.2f}}};
   const TriangleCorners left = {{from, to, {-1, 0, 0}}}, right = {{to, from, {1.5f, 0.5f, 0.25f}}};
   const auto position = [&](const TriangleCorners& t) {
-    return detail::crossing_position({Feature::edge0, Feature::face}, t, face);
+    return detail::crossing_position({OpenFeature::edge0, OpenFeature::face}, t, face);
   };
   EXPECT_EQ(position(left), position(right));
 }

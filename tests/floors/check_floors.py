@@ -32,7 +32,7 @@ DOORS = {
     # A kit, too: its other headers are the mathematics behind these.
     "src/motion": ["instants.hpp", "meeting_order.hpp", "moving_boxes.hpp", "moving_determinants.hpp",
                    "moving_filter.hpp", "moving_pair.hpp", "moving_pairs.hpp", "moving_tree.hpp",
-                   "moving_triage.hpp", "moving_triangles.hpp"],
+                   "moving_triage.hpp"],
     "src/collide": ["collide_trees.hpp", "cluster_pair.hpp", "eager.hpp", "search.hpp"],
     "src/self": ["self_tree.hpp", "self_filter.hpp", "fans.hpp", "near_joints.hpp", "neighbours.hpp"],
     "src/bounds": ["level_boxes.hpp"],

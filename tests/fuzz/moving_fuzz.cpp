@@ -91,7 +91,7 @@ void check_double(const MovingTriangle& a, const MovingTriangle& b,
 }
 
 void count_goals(const std::optional<FirstMeeting>& first) {
-  using Kind = detail::ClosedFeature::Kind;
+  using Kind = FeatureKind;
   never.reach(!first);
   if (!first) return;
   at_start.reach(first->at_start);

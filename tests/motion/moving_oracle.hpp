@@ -66,7 +66,7 @@ class MovingOracle {
   }
 
  private:
-  using Kind = detail::ClosedFeature::Kind;
+  using Kind = FeatureKind;
 
   static MovingCorners moving_corners(const detail::MovingTriangle& a,
                                       const detail::MovingTriangle& b) {

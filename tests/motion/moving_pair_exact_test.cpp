@@ -15,7 +15,6 @@
 namespace pelt::test {
 namespace {
 
-using detail::ClosedFeature;
 using detail::FirstMeeting;
 
 int pairs_per_family() {
@@ -23,7 +22,7 @@ int pairs_per_family() {
   return text == nullptr ? 100 : std::atoi(text);
 }
 
-std::string to_text(const ClosedFeature& feature) {
+std::string to_text(const Feature& feature) {
   constexpr const char* kNames[] = {"corner ", "edge ", "face "};
   return kNames[static_cast<int>(feature.kind)] + std::to_string(feature.number);
 }

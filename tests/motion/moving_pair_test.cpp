@@ -15,12 +15,11 @@
 namespace pelt::test {
 namespace {
 
-using detail::ClosedFeature;
 using detail::first_meeting;
 using detail::FirstMeeting;
 using detail::TriangleCorners;
 using detail::triangles_intersect;
-using Kind = ClosedFeature::Kind;
+using Kind = FeatureKind;
 
 constexpr TriangleCorners kFlat = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
 
@@ -44,7 +43,7 @@ MovingPair shifted(const TriangleCorners& a, const TriangleCorners& b, const Vec
   return {{a, a}, {b, moved(b, shift)}};
 }
 
-FirstMeeting met(float time, ClosedFeature a, ClosedFeature b) { return {time, false, a, b}; }
+FirstMeeting met(float time, Feature a, Feature b) { return {time, false, a, b}; }
 
 TEST(MovingPair, PassesThroughAFaceBetweenTheEnds) {
   const TriangleCorners spike = {{{1, 1, 1}, {1, 2, 2}, {2, 1, 2}}};

@@ -70,10 +70,10 @@ void add_piece(const std::vector<PosedInstance>& from, const std::vector<PosedIn
     }
 }
 
-json feature_json(const detail::ClosedFeature& feature) {
+json feature_json(const Feature& feature) {
   constexpr const char* kNames[] = {"corner", "edge", "face"};
   json object = {{"kind", kNames[static_cast<int>(feature.kind)]}};
-  if (feature.kind != detail::ClosedFeature::Kind::face) object["number"] = feature.number;
+  if (feature.kind != FeatureKind::face) object["number"] = feature.number;
   return object;
 }
 
