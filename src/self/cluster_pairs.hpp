@@ -133,6 +133,32 @@ inline void ClusterPairs::test_boxes() {
   count_ = 0;
 }
 
+/// Waiting pairs of one character. The triangle with the lower number is that of `a`: if several
+/// features meet at once, the order of the triangles decides which of them are reported.
+class SelfMovingPairs : public WaitingMovingPairs {
+ public:
+  explicit SelfMovingPairs(const Tree& tree) : WaitingMovingPairs(tree, tree) {}
+
+  Contact contact(unsigned lane) const {
+    const Contact pair = WaitingMovingPairs::contact(lane);
+    return is_swapped(pair) ? Contact{pair.triangle_b, pair.triangle_a} : pair;
+  }
+
+  MovingTriangle triangle_a(unsigned lane) const {
+    return is_swapped(lane) ? WaitingMovingPairs::triangle_b(lane)
+                            : WaitingMovingPairs::triangle_a(lane);
+  }
+
+  MovingTriangle triangle_b(unsigned lane) const {
+    return is_swapped(lane) ? WaitingMovingPairs::triangle_a(lane)
+                            : WaitingMovingPairs::triangle_b(lane);
+  }
+
+ private:
+  static bool is_swapped(const Contact& pair) { return pair.triangle_b < pair.triangle_a; }
+  bool is_swapped(unsigned lane) const { return is_swapped(WaitingMovingPairs::contact(lane)); }
+};
+
 /// Precondition: all nodes are open in both poses.
 class MovingClusterPairs {
  public:
@@ -141,7 +167,7 @@ class MovingClusterPairs {
                      MovingStats& work)
       : moving_(moving),
         masks_(filter.masks),
-        pairs_(moving.tree, moving.tree),
+        pairs_(moving.tree),
         triangles_(pairs_, sink, options, work) {}
 
   void add(std::uint32_t low, std::uint32_t high, const PairMask& skipped) {
@@ -167,8 +193,8 @@ class MovingClusterPairs {
 
   const MovingTree& moving_;
   const PairMasks& masks_;
-  WaitingMovingPairs pairs_;
-  MovingTrianglePairs<WaitingMovingPairs, FilteredSink<MovingContact>> triangles_;
+  SelfMovingPairs pairs_;
+  MovingTrianglePairs<SelfMovingPairs, FilteredSink<MovingContact>> triangles_;
 };
 
 }  // namespace PELT_INSTRUCTION_SET

@@ -262,7 +262,9 @@ class MovingFanPairs {
             gather(positions_.to, number) - gather(positions_.to, 0)};
   }
 
+  /// The triangle with the lower number is that of `a`, as in SelfMovingPairs.
   void decide(std::uint32_t a, std::uint32_t b) {
+    if (ids_[b] < ids_[a]) return decide(b, a);
     const auto contact = decide_neighbours(read(a), read(b), {ids_[a], ids_[b]}, options_, work_);
     if (contact) sink_.push(*contact);
   }

@@ -112,13 +112,9 @@ bool keeps(const SelfFilter& filter, Contact& contact, Stack<std::uint32_t>& rin
   return keeps_pair(filter, contact, ring, left_out);
 }
 
-bool keeps(const SelfFilter& filter, MovingContact& contact, Stack<std::uint32_t>& ring,
+bool keeps(const SelfFilter& filter, const MovingContact& contact, Stack<std::uint32_t>& ring,
            LeftOut& left_out) {
-  auto& [a, b] = contact.contact;
-  if (b < a) {
-    std::swap(a, b);
-    std::swap(contact.a, contact.b);
-  }
+  PELT_ASSERT(contact.contact.triangle_a < contact.contact.triangle_b);
   return keeps_pair(filter, contact.contact, ring, left_out);
 }
 

@@ -29,11 +29,12 @@ struct SelfFilter {
   PairFilters filters;
 };
 
-/// Orders the triangles of a contact. Returns false, and counts the contact, if the filter leaves
-/// it out. `ring` is working memory: empty, or from the last call for this filter.
+/// Returns false, and counts the contact, if the filter leaves it out. `ring` is working memory:
+/// empty, or from the last call for this filter. Orders the triangles of a Contact; those of a
+/// MovingContact are in order already, because its features depend on the order.
 bool keeps(const SelfFilter& filter, Contact& contact, Stack<std::uint32_t>& ring,
            LeftOut& left_out);
-bool keeps(const SelfFilter& filter, MovingContact& contact, Stack<std::uint32_t>& ring,
+bool keeps(const SelfFilter& filter, const MovingContact& contact, Stack<std::uint32_t>& ring,
            LeftOut& left_out);
 
 inline namespace PELT_INSTRUCTION_SET {

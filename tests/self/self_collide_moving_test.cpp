@@ -70,6 +70,40 @@ TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsOnGridSoups) {
   EXPECT_GT(cracked, 50u);
 }
 
+/// Of several pairs of features that meet, which one is the first depends on the order of the two
+/// triangles. It must not depend on their places in the tree.
+TEST(SelfCollideMoving, NamesFeaturesFromTheLowerTriangle) {
+  Random random(1843);
+  const auto shifts_on_grid = [&] {
+    std::vector<Matrix4> palette(2);
+    for (Matrix4& matrix : palette)
+      for (std::size_t axis = 12; axis < 15; ++axis)
+        matrix.m[axis] = static_cast<float>(random.index(5)) - 2;
+    return palette;
+  };
+  std::size_t ambiguous = 0;
+  for (int round = 0; round < 4; ++round) {
+    SelfBody soup(make_grid_soup(random, 60, 4, 2));
+    const std::vector<Matrix4> from = shifts_on_grid();
+    soup.move(from, shifts_on_grid());
+    const MovingTriangles triangles = soup.triangles();
+    const auto corners = surface_corners(soup.shape.triangles, surface_vertices(soup.shape));
+    const auto meeting = [&](std::uint32_t s, std::uint32_t t) {
+      return share_vertex(corners[s], corners[t])
+                 ? detail::first_meeting_of_neighbours({triangles[s], corners[s]},
+                                                       {triangles[t], corners[t]})
+                 : first_meeting_of(triangles[s], triangles[t]);
+    };
+    for (const MovingContact& found : soup.contacts()) {
+      const auto [s, t] = found.contact;
+      EXPECT_EQ(found, contact_of(s, t, *meeting(s, t)));
+      const MovingContact swapped = contact_of(t, s, *meeting(t, s));
+      ambiguous += found.a != swapped.b || found.b != swapped.a;
+    }
+  }
+  EXPECT_GT(ambiguous, 20u);
+}
+
 TEST(SelfCollideMoving, ContainsTheContactsOfBothEnds) {
   Random random(1844);
   FoldingLimb limb;

@@ -79,24 +79,6 @@ MovingContacts self_moving_contacts_of_all_pairs(const Stage& stage) {
                  test::brute_force_self_moving(moving_triangles_of(stage.a), corners, true));
 }
 
-/// If several features meet at the first time, which of them are written depends on the order of
-/// both triangles in the tree.
-bool is_right_on_one_side(const Stage& stage, const MovingContact& found,
-                          const MovingContact& expected) {
-  if (found == expected) return true;
-  const auto [s, t] = found.contact;
-  const Shape& shape = stage.a.shape;
-  const auto corners = test::surface_corners(shape.triangles, test::surface_vertices(shape));
-  const test::MovingTriangles triangles = moving_triangles_of(stage.a);
-  const auto other = test::share_vertex(corners[s], corners[t])
-                         ? detail::first_meeting_of_neighbours({triangles[t], corners[t]},
-                                                               {triangles[s], corners[s]})
-                         : test::first_meeting_of(triangles[t], triangles[s]);
-  if (!other) return false;
-  const MovingContact swapped = test::contact_of(t, s, *other);
-  return found == MovingContact{{s, t}, swapped.time, swapped.at_start, swapped.b, swapped.a};
-}
-
 MovingContacts moving_contacts_with_field(const Stage& stage) {
   MovingContacts contacts;
   const test::MovingTriangles triangles = moving_triangles_of(stage.a);
@@ -170,8 +152,7 @@ void add_moving_queries(Queries& queries) {
                                                      {.max_contacts = limit}));
                        },
                    .brute_force = self_moving_contacts_of_all_pairs,
-                   .traits = {.is_costly = true, .is_limited = true, .reserves_when_asked = true},
-                   .is_right = is_right_on_one_side});
+                   .traits = {.is_costly = true, .is_limited = true, .reserves_when_asked = true}});
   add(queries,
       YesNoRow{.name = "SelfTouchesWhileMoving",
                .ask = [](Stage& s) { return self_intersects(s.a.motion(), s.filter, s.scratch); },
