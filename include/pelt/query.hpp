@@ -101,7 +101,7 @@ class TreeLocation {
 
 /// Size of the working memory of self-collision with one filter, see `SelfFilter::scratch_size`.
 struct SelfScratchSize {
-  std::size_t vertices = 0;   ///< each takes 24 bytes
+  std::size_t vertices = 0;   ///< each takes 40 bytes
   std::size_t box_bytes = 0;  ///< bytes for boxes of triangles, about 20 per triangle
   std::size_t triangles = 0;  ///< each takes 8 bytes
 };

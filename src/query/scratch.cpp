@@ -102,7 +102,7 @@ void Scratch::reserve(std::size_t contacts, std::size_t ray_hits, const SelfScra
   scratch_->sorting_numbers.reserve(contacts);
   scratch_->turns_a.reserve(contacts);
   scratch_->turns_b.reserve(contacts);
-  scratch_->positions.reserve(self.vertices);
+  scratch_->positions.reserve(2 * self.vertices);  // at both ends of a motion
   if (self.vertices > 0) scratch_->ring.reserve(2 * self.vertices + 1);
   if (self.triangles > 0) scratch_->outline_turns.reserve(2 * contacts);
   scratch_->turns_of.reserve(self.triangles);

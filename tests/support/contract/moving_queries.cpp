@@ -144,21 +144,21 @@ void add_moving_queries(Queries& queries) {
                                .is_hit = is_found,
                                .traits = {.is_costly = true, .reserves_when_asked = true},
                                .preparation = {.make = make_first_contact_search}});
-  add(queries, ListRow<MovingContact>{
-                   .name = "SelfCollideMoving",
-                   .ask =
-                       [](Stage& s, MovingContacts& contacts, std::uint32_t limit) {
-                         return counted(self_collide(s.a.motion(), s.filter, s.scratch, contacts,
-                                                     {.max_contacts = limit}));
-                       },
-                   .brute_force = self_moving_contacts_of_all_pairs,
-                   .traits = {.is_costly = true, .is_limited = true, .reserves_when_asked = true}});
+  add(queries,
+      ListRow<MovingContact>{.name = "SelfCollideMoving",
+                             .ask =
+                                 [](Stage& s, MovingContacts& contacts, std::uint32_t limit) {
+                                   return counted(self_collide(s.a.motion(), s.filter, s.scratch,
+                                                               contacts, {.max_contacts = limit}));
+                                 },
+                             .brute_force = self_moving_contacts_of_all_pairs,
+                             .traits = {.is_costly = true, .is_limited = true}});
   add(queries,
       YesNoRow{.name = "SelfTouchesWhileMoving",
                .ask = [](Stage& s) { return self_intersects(s.a.motion(), s.filter, s.scratch); },
                .brute_force =
                    [](const Stage& s) { return !self_moving_contacts_of_all_pairs(s).empty(); },
-               .traits = {.is_costly = true, .reserves_when_asked = true}});
+               .traits = {.is_costly = true}});
   add(queries,
       ListRow<MovingContact>{.name = "CollideMovingWithField",
                              .ask =
