@@ -540,6 +540,6 @@ describe('the folders of the sources', () => {
     };
     for (const file of imports.keys()) walk(file, []);
     const count = [...imports.values()].flat().length;
-    assert.ok(count > 400, `${count} imports`);
+    assert.ok(count > 300, `${count} imports`);
   });
 });

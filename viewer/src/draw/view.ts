@@ -1,20 +1,34 @@
 /** Draws the state. Redraws only when something visible has changed. */
 
-import { Box3 } from 'three';
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  Quaternion,
+  Vector3,
+} from 'three';
 import { frameTime, placeAt, translationFor } from '../scene/scene';
 import { betterSide } from '../scene/sides';
-import type { Instance, Quaternion, Vector3 } from '../scene/types';
+import type { Instance, Scene } from '../scene/types';
 import type { AnsweredShot, CameraMove, State } from '../state/state';
-import type { Glow as Contacts, Shot, Surface } from '../worker/protocol';
+import type {
+  CharacterFacts,
+  Glow as Contacts,
+  PosedInstance,
+  Shot,
+  Surface,
+} from '../worker/protocol';
 import { ClosestLines } from './closest_lines';
-import { DARK, LIGHT, type Ambience } from './colours';
-import { Figure } from './figure';
+import { type Ambience, bodyColour, DARK, LIGHT } from './colours';
 import { Gizmo } from './gizmo';
 import { Glow } from './glow';
 import { NodeBoxes } from './node_boxes';
-import { watchPointer, type PointerEvents } from './pointer';
-import { sceneBox } from './scene_box';
+import { type PointerEvents, watchPointer } from './pointer';
 import { Studio } from './studio';
+import { upload } from './upload';
 
 export interface ViewEvents extends PointerEvents {
   onPlace: (instance: number, change: Partial<Instance>) => void;
@@ -76,7 +90,7 @@ export class View {
   }
 
   /** The address of a small picture of another answer, which has contacts, from a side of them. */
-  photograph(answer: AnsweredShot, side: Vector3): string {
+  photograph(answer: AnsweredShot, side: Instance['translation']): string {
     const state = this.shown!;
     this.boxes.visible = this.gizmo.helper.visible = false;
     this.showAnswer(state, answer);
@@ -141,7 +155,7 @@ export class View {
     this.gizmo.show(placeAt(instance, frameTime(scene, frame)), instance.rotation, gizmo);
   }
 
-  private place(place: Vector3, rotation: Quaternion): void {
+  private place(place: Instance['translation'], rotation: Instance['rotation']): void {
     const { scene, selected, frame } = this.shown!;
     if (!scene || selected === null) return;
     const instance = scene.instances[selected];
@@ -152,4 +166,50 @@ export class View {
 
 function boxAround({ corners, triangles }: Contacts): Box3 {
   return new Box3().setFromArray(corners.subarray(0, 9 * triangles));
+}
+
+/** Box of all characters over all frames. */
+function sceneBox(scene: Scene, characters: readonly CharacterFacts[]): Box3 {
+  const all = new Box3();
+  for (const instance of scene.instances) {
+    for (const frame of [0, scene.frameCount - 1]) {
+      all.union(boxAt(instance, characters[instance.character], frameTime(scene, frame)));
+    }
+  }
+  return all;
+}
+
+function boxAt(instance: Instance, { extent }: CharacterFacts, time: number): Box3 {
+  const placement = new Matrix4().compose(
+    new Vector3(...placeAt(instance, time)),
+    new Quaternion(...instance.rotation),
+    new Vector3().setScalar(instance.scale),
+  );
+  const box = new Box3(new Vector3(...extent.low), new Vector3(...extent.high));
+  return box.applyMatrix4(placement);
+}
+
+/** Surface of one instance, with the vertices posed by the worker. */
+class Figure extends Mesh<BufferGeometry, MeshStandardMaterial> {
+  constructor(
+    readonly character: CharacterFacts,
+    instance: number,
+  ) {
+    const geometry = new BufferGeometry();
+    geometry.setIndex(new BufferAttribute(character.triangles, 1));
+    super(geometry, new MeshStandardMaterial({ color: bodyColour(instance), roughness: 0.62 }));
+    this.castShadow = true;
+    this.receiveShadow = true;
+    this.frustumCulled = false; // otherwise its bounds must be recomputed in each frame
+  }
+
+  show({ positions, normals }: PosedInstance): void {
+    upload(this.geometry, 'position', positions);
+    upload(this.geometry, 'normal', normals);
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+    this.material.dispose();
+  }
 }

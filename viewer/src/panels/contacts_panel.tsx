@@ -1,25 +1,21 @@
 import type { ComponentChildren } from 'preact';
 import { isOneBody } from '../scene/self';
-import { checkAllFrames } from '../state/changes';
-import { totalsOf } from '../state/counts';
+import { checkAllFrames, decideAll, pauseAt } from '../state/changes';
+import { showsStills, totalsOf, undecidedFrames } from '../state/counts';
 import { rearrange } from '../state/edits';
 import { checkedFrames, rangeInWords } from '../state/frames';
 import { filtered, isOfSelf, listedTouches } from '../state/listing';
 import { asksPairs, asksSelf, isLate, whyNothingIsCompared } from '../state/shots';
 import type { State } from '../state/state';
-import { withCommas } from '../words';
+import { counted, withCommas } from '../words';
 import type { Touch } from '../worker/protocol';
 import { BetweenFrames } from './between';
-import { Budget } from './budget';
-import { ClosestList } from './closest_list';
-import { Filters } from './filters';
-import { Pairs } from './pairs';
+import { ClosestList, Pairs } from './pairs';
 import type { PanelProps } from './panel_props';
 import { QuerySwitches, SelfSwitch } from './query_switches';
 import { SameNumbers } from './same_numbers';
 import { SelfFilters } from './self_filters';
-import { Stills } from './stills';
-import { Gone, Touches } from './touches';
+import { Filters, Gone, Touches } from './touches';
 
 /** The question, and one list of contacts for each kind of answer. */
 export function ContactsPanel({ state, update }: PanelProps) {
@@ -206,5 +202,64 @@ function Ignored({ count }: { count: number | undefined }) {
     <p class="quiet">
       <span data-fact="ignored">{withCommas(count)}</span> ignored
     </p>
+  );
+}
+
+/** What a limit of the work has left undecided. */
+function Budget({ state: { budget, sweep }, update }: PanelProps) {
+  if (budget === null) return null;
+  const { unknown, touching, decided } = undecidedFrames(sweep);
+  return (
+    <div class="budget">
+      <p class="quiet">
+        Each pair was given {counted(budget, 'unit')} of work in each frame.{' '}
+        <button class="link" onClick={() => update(decideAll)}>
+          Find all contacts
+        </button>
+      </p>
+      <ul>
+        <BudgetRow
+          name="unknown"
+          count={unknown}
+          meaning="no contact found, some pairs not decided"
+        />
+        <BudgetRow name="touching" count={touching} meaning="more contacts are possible" />
+        <BudgetRow name="decided" count={decided} meaning="all contacts found" />
+      </ul>
+    </div>
+  );
+}
+
+interface BudgetRowProps {
+  name: string;
+  /** Number of frames. */
+  count: number;
+  meaning: string;
+}
+
+function BudgetRow({ name, count, meaning }: BudgetRowProps) {
+  return (
+    <li>
+      <b data-fact={name}>{withCommas(count)}</b> {count === 1 ? 'frame' : 'frames'} {name}:{' '}
+      {meaning}
+    </li>
+  );
+}
+
+/** The worst frames; each leads there. */
+function Stills({ state, update }: PanelProps) {
+  if (!showsStills(state)) return null;
+  const { stills } = state;
+  return (
+    <div class="stills">
+      {stills.map(({ frame, contacts, picture }) => (
+        <button title={`Go to frame ${frame}`} onClick={() => update(pauseAt(frame))}>
+          <img src={picture} alt={`Frame ${frame}`} />
+          <span>
+            {withCommas(contacts)} <small>frame {frame}</small>
+          </span>
+        </button>
+      ))}
+    </div>
   );
 }

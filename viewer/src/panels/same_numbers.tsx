@@ -1,6 +1,5 @@
 import { isAsItCame } from '../report/verdict';
-import { checkCommand } from '../scene/command';
-import { sceneFile } from '../scene/scene_file';
+import { checkCommand, sceneFile } from '../scene/command';
 import { checkedFrames } from '../state/frames';
 import type { State } from '../state/state';
 import { asksBetween } from '../state/steps';

@@ -1,10 +1,11 @@
-import { worseTouch, worstFirst } from '../report/baseline';
+import { comparedAnswer, comparisonOf, worseTouch, worstFirst } from '../report/baseline';
 import type { GoneTouch, KnownName } from '../report/report';
-import { lookAt } from '../state/changes';
+import { filterBy, lookAt } from '../state/changes';
 import { matches } from '../state/listing';
-import type { State, Update } from '../state/state';
+import type { Filter, State, Update } from '../state/state';
 import { counted, withCommas } from '../words';
 import type { Spot, Surface, Touch } from '../worker/protocol';
+import { Badge } from './badge';
 import { useFew } from './few';
 import type { PanelProps } from './panel_props';
 import { Place } from './place';
@@ -190,4 +191,58 @@ export function Gone({ gone, words }: { gone: readonly GoneTouch[]; words: strin
 
 function nameOf({ model, copy, part = '', joint }: KnownName): string {
   return [model, copy > 0 ? `(${copy})` : '', part, joint].filter((word) => word !== '').join(' ');
+}
+
+/** Restricts the list of contacts. */
+export function Filters({ state, update }: PanelProps) {
+  const { words, pair } = state.filter;
+  return (
+    <div class="filters">
+      <input
+        type="search"
+        placeholder="Search joints, parts, characters"
+        aria-label="Search contacts"
+        value={words}
+        onInput={({ currentTarget }) => update(filterBy({ words: currentTarget.value }))}
+      />
+      {pair && (
+        <button
+          class="chip"
+          title="List all pairs"
+          onClick={() => update(filterBy({ pair: null }))}
+        >
+          only <Badge instance={pair[0]} /> and <Badge instance={pair[1]} /> ×
+        </button>
+      )}
+      <Standings state={state} update={update} />
+    </div>
+  );
+}
+
+/** Shown beside a baseline. */
+function Standings({ state, update }: PanelProps) {
+  const answer = comparedAnswer(state);
+  const comparison = answer && comparisonOf(answer);
+  if (!comparison) return null;
+  const { fresh, grown, known, gone } = comparison;
+  const choices: [Filter['standing'], number][] = [
+    ['new', fresh],
+    ['grown', grown],
+    ['known', known],
+    ['gone', gone],
+  ];
+  return (
+    <div class="choice" role="group" aria-label="Beside the baseline">
+      {choices.map(([standing, count]) => (
+        <button
+          aria-pressed={state.filter.standing === standing}
+          onClick={() =>
+            update(filterBy({ standing: state.filter.standing === standing ? null : standing }))
+          }
+        >
+          {`${withCommas(count)} ${standing}`}
+        </button>
+      ))}
+    </div>
+  );
 }

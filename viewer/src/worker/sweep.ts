@@ -1,9 +1,24 @@
 /** Counts the contacts of every checked frame in the background, a few milliseconds at a time. */
 
-import type { ContactHash, LeftOut, Pelt, Scene as EngineScene } from 'pelt';
-import { AlwaysSearch } from './always_search';
-import type { SelfFilters } from './own_contacts';
-import type { FrameRange, Questions, Step, SweepProgress, SweepTotal } from './protocol';
+import type {
+  Character,
+  ContactHash,
+  ContactTally,
+  LeftOut,
+  Pelt,
+  Scene as EngineScene,
+} from 'pelt';
+import { partsOf } from './bodies';
+import { OwnContacts, type SelfFilters } from './own_contacts';
+import type {
+  By,
+  FrameRange,
+  Questions,
+  SelfQuestion,
+  Step,
+  SweepProgress,
+  SweepTotal,
+} from './protocol';
 import { countSelf, SceneCrowd } from './scene_crowd';
 import { Steps } from './steps';
 import { NOTHING_LEFT_OUT, sumOfLeftOut } from './sums';
@@ -159,4 +174,52 @@ function isIn(frames: FrameRange | null, frame: number): boolean {
   if (!frames) return true;
   const [first, end, step] = frames;
   return frame >= first && frame < end && (frame - first) % step === 0;
+}
+
+/**
+ * Finds the pairs of triangles that touch in nearly all frames, one frame at a time, for the filter
+ * that drops them.
+ */
+class AlwaysSearch {
+  /** Of each instance. */
+  private readonly queries: OwnContacts[];
+  private readonly tallies: ReadonlyMap<Character, ContactTally>;
+
+  constructor(
+    pelt: Pelt,
+    private readonly filters: SelfFilters,
+    private readonly scene: EngineScene,
+    private readonly by: By,
+    private readonly self: SelfQuestion,
+  ) {
+    const question = { ...self, always: null };
+    const characters = scene.instances.map(({ character }) => scene.characters[character]);
+    this.queries = characters.map((character) => {
+      return new OwnContacts(pelt, character, partsOf(character, by), filters, question);
+    });
+    this.tallies = new Map(
+      [...new Set(characters)].map((character) => [character, pelt.makeContactTally()]),
+    );
+  }
+
+  addFrame(frame: number): void {
+    this.queries.forEach((query, i) => {
+      const [palette, weights] = [this.scene.palette(i, frame), this.scene.morphWeights(i, frame)];
+      this.tallies.get(query.character)!.add(query.find(palette, weights));
+    });
+  }
+
+  /** Hands the pairs to the filters. */
+  end(): void {
+    const share = this.self.always!;
+    const pairs = new Map(
+      [...this.tallies].map(([character, tally]) => [character, tally.inShareOfPoses(share)]),
+    );
+    this.filters.knowAlways(this.scene, this.by, this.self, pairs);
+  }
+
+  delete(): void {
+    for (const query of this.queries) query.delete();
+    for (const tally of this.tallies.values()) tally.delete();
+  }
 }
