@@ -109,9 +109,12 @@ class Palette {
 
   const MorphWeights& morphs() const { return morphs_; }
 
-  /// Offsets of the vertices [V], borrowed from the caller, or none.
+  /// Offsets of the vertices [V], borrowed from the caller, or none: then `data` is null, also for
+  /// an empty array that has memory.
   std::span<const Vec3> offsets() const { return offsets_; }
-  void set_offsets(std::span<const Vec3> offsets) { offsets_ = offsets; }
+  void set_offsets(std::span<const Vec3> offsets) {
+    offsets_ = offsets.empty() ? std::span<const Vec3>() : offsets;
+  }
 
   /// M of the rounding analyses: sum_b |A_ab| |v_b| + |t_a| <= M for every joint (A | t) and every
   /// point v of the mesh's rest box, where |v_b| includes the magnitudes of all weighted

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace pelt {
 namespace {
@@ -134,7 +135,8 @@ TEST(SetOffsets, PosedVerticesHaveTheBitsOfTheDefinition) {
     OffsetBodies bodies(random, round % 2 == 0);
     Pose& pose = bodies.a;
     const Points with = posed(pose);
-    ASSERT_TRUE(pose.set_offsets({}));
+    const std::span<const Vec3> none = std::span(bodies.offsets[0]).first(0);  // not null
+    ASSERT_TRUE(pose.set_offsets(none));
     const Points expected = moved(posed(pose), bodies.offsets[0], bodies.caps);
     test::on_each_instruction_set([&](InstructionSet) {
       ASSERT_TRUE(pose.set_offsets(bodies.offsets[0]));
