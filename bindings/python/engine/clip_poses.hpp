@@ -7,6 +7,7 @@
 #include <pelt/model.hpp>
 #include <pelt/motion.hpp>
 #include <pelt/pose.hpp>
+#include <pelt/self_filter.hpp>
 
 #include "bindings/python/engine/array_view.hpp"
 
@@ -113,5 +114,12 @@ std::size_t common_frame_count(const ClipPoses& a, const ClipPoses& b);
 
 /// Number of steps between `frames` frames. Throws an error if there is only one frame.
 std::size_t step_count(std::size_t frames);
+
+/// Throws an error that starts with `name` if a filter was made for another model, which would end
+/// the program.
+inline void check_model(const ClipPoses& poses, const SelfFilter& filter, const std::string& name) {
+  if (&filter.model().detail() != &poses.model().detail())
+    throw ArgumentError(name + ": the filter was made for another model");
+}
 
 }  // namespace pelt::python

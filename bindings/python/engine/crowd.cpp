@@ -5,7 +5,6 @@
 #include "bindings/python/engine/frame_lists.hpp"
 #include "bindings/python/engine/index_arrays.hpp"
 #include "bindings/python/engine/run_frames.hpp"
-#include "bindings/python/engine/self_filters.hpp"
 
 #include <pybind11/stl.h>
 

@@ -6,7 +6,6 @@
 #include "bindings/python/engine/moving_columns.hpp"
 #include "bindings/python/engine/pair_lists.hpp"
 #include "bindings/python/engine/run_frames.hpp"
-#include "bindings/python/engine/self_filters.hpp"
 
 #include <pybind11/stl.h>
 
