@@ -3,14 +3,10 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { rock } from './gltf.mjs';
-import { loadPelt, pelt } from './support.mjs';
+import { loadPelt, pelt, refused } from './support.mjs';
 
 const creature = pelt.generateCreature({ triangles: 2000, joints: 30 });
 const [a, b] = [creature.makePose(), creature.makePose()];
-
-function refused(use, message, code = 'invalid_argument') {
-  assert.throws(use, { name: 'PeltError', code, message });
-}
 
 test('unknown options are refused with the closest known one', () => {
   refused(() => pelt.generateCreature({ triangels: 2000 }),

@@ -2,15 +2,11 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { contactsOf, kFaces, pelt, readSceneFile } from './support.mjs';
+import { contactsOf, kFaces, pelt, readSceneFile, refused } from './support.mjs';
 
 const creature = pelt.generateCreature({ triangles: 4000, joints: 30 });
 const { restPositions, triangles } = creature;
 const statue = pelt.makeCharacter({ name: 'statue', restPositions, triangles });
-
-function refused(use, message) {
-  assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });
-}
 
 function posed(seconds, character = creature, part = null) {
   const pose = character.makePose(part);

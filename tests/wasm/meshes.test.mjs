@@ -3,14 +3,10 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { rock } from './gltf.mjs';
-import { bytesInUse, pelt } from './support.mjs';
+import { bytesInUse, pelt, refused } from './support.mjs';
 
 const creature = pelt.generateCreature({ triangles: 3000, joints: 30 });
 const arrays = { restPositions: creature.restPositions, triangles: creature.triangles };
-
-function refused(use, message) {
-  assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });
-}
 
 /** A column-major matrix that turns about y and then moves. */
 function placed(angle, x, y, z) {

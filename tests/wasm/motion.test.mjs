@@ -3,7 +3,15 @@
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import test from 'node:test';
-import { FeatureKind, jsonLines, kFaces, kScenes, pelt, readSceneFile } from './support.mjs';
+import {
+  FeatureKind,
+  jsonLines,
+  kFaces,
+  kScenes,
+  pelt,
+  readSceneFile,
+  refused,
+} from './support.mjs';
 
 const kKinds = Object.keys(FeatureKind);
 
@@ -151,7 +159,6 @@ test('parts have the triangle numbers of their character', () => {
 });
 
 test('wrong motions are refused with their names', () => {
-  const refused = (use, message) => assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });
   for (const name of ['collideMoving', 'touchWhileMoving', 'firstContact']) {
     const ask = (...motions) => () => pelt[name](...motions);
     refused(ask(a.from, b), 'a: expected { from, to }, found a Pose');

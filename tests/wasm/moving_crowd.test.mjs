@@ -4,19 +4,20 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { rocks } from './rocks.mjs';
-import { jsonLines, kFaces, kScenes, pelt, readSceneFile, withFolder } from './support.mjs';
+import { rocks } from './gltf.mjs';
+import {
+  bodiesOf,
+  jsonLines,
+  kFaces,
+  kScenes,
+  pelt,
+  readSceneFile,
+  refused,
+  withFolder,
+} from './support.mjs';
 
 const rowsOf = (numbers, width) =>
   Array.from({ length: numbers.length / width }, (_, i) => Array.from(numbers.subarray(width * i, width * (i + 1))));
-
-/** The bodies of a scene: an instance, and a part of it or null. */
-function bodiesOf(scene, byPart) {
-  return scene.instances.flatMap(({ character }, instance) => {
-    const { parts } = scene.characters[character];
-    return byPart ? parts.map((_, part) => ({ instance, part })) : [{ instance, part: null }];
-  });
-}
 
 /** A crowd of the bodies; with rings, each is tested against itself, and parts are filtered. */
 function makeCrowd(scene, bodies, rings) {
@@ -198,7 +199,6 @@ test('a crowd without a step stands still, and options mean what they mean for t
 });
 
 test('wrong steps are refused with their names', () => {
-  const refused = (use, message) => assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });
   const crowd = pelt.makeCrowd();
   crowd.add(creature);
   const palette = creature.palette('walk', 0);

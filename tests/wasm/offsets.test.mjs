@@ -3,16 +3,12 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { rock } from './gltf.mjs';
-import { bytesInUse, contactsOf, pelt } from './support.mjs';
+import { bytesInUse, contactsOf, pelt, refused } from './support.mjs';
 
 const kCap = 0.03;
 const kCreature = { triangles: 4000, joints: 30 };
 const plain = pelt.generateCreature(kCreature);
 const capped = pelt.generateCreature({ ...kCreature, offsetCaps: kCap });
-
-function refused(use, message) {
-  assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });
-}
 
 /** Offsets of all vertices that are within `size` and differ by seed. */
 function wrinkles(seed, size = kCap) {

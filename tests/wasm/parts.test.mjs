@@ -5,8 +5,8 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
-import { rocks } from './rocks.mjs';
-import { pelt, runCommand } from './support.mjs';
+import { rocks } from './gltf.mjs';
+import { bodiesOf, pelt, runCommand } from './support.mjs';
 
 const kScene = {
   models: { cairn: 'cairn.gltf' },
@@ -34,15 +34,6 @@ function native(scene, ...options) {
   } finally {
     fs.rmSync(folder, { recursive: true });
   }
-}
-
-/** The bodies that collide: an instance, and a part of it or null. */
-function bodiesOf(scene, byPart) {
-  return scene.instances.flatMap(({ character }, instance) =>
-    byPart
-      ? scene.characters[character].parts.map((_, part) => ({ instance, part }))
-      : [{ instance, part: null }],
-  );
 }
 
 /** Contacts, ignored ones and the hash of all frames. */

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
-import { jsonLines, pelt } from './support.mjs';
+import { jsonLines, pelt, refused } from './support.mjs';
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pelt-'));
 test.after(() => fs.rmSync(folder, { recursive: true }));
@@ -389,8 +389,6 @@ test('the work of every query can be read', () => {
 });
 
 test('regions, rays and distances that break a rule are refused', () => {
-  const refused = (use, message) =>
-    assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });
   refused(
     () => a.classify({ kind: 'ball' }),
     /region.kind: expected one of .*"sphere".*, found "ball"/,

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { pelt } from './support.mjs';
+import { pelt, refused } from './support.mjs';
 
 const scene = pelt.readScene('demo.json', {
   'demo.json': new TextEncoder().encode(pelt.demoScene),
@@ -93,7 +93,6 @@ test('a search of poses that have changed is stale until it is restarted', () =>
 });
 
 test('wrong arguments are refused, and so is a search without its poses', () => {
-  const refused = (use, message) => assert.throws(use, { name: 'PeltError', code: 'invalid_argument', message });
   refused(() => pelt.makeSearch(a, a), 'a and b: expected two different poses');
   refused(() => pelt.makeSearch(a, b, { order: 'fast' }), /^order: expected one of "firstContact", .*found "fast"/);
   refused(() => pelt.makeSearch(a, b, { maxOpen: 0 }), /^maxOpen: expected a whole number from 1/);

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { rocks } from './rocks.mjs';
+import { rocks } from './gltf.mjs';
 import { ContactKind, jsonLines, kScenes, kShared, pelt, readSceneFile } from './support.mjs';
 
 const kNothing = { takesPart: 0, rings: 0, atRest: 0, always: 0, joints: 0, groups: 0 };

@@ -1,5 +1,6 @@
 /** Shared by the tests of the npm package: the package itself, the command, and files. */
 
+import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -20,6 +21,11 @@ export const pelt = await loadPelt();
 
 /** Heap in use by what has not been deleted. */
 export const bytesInUse = () => internals.bytesInUse(pelt);
+
+/** Asserts that Pelt refuses a call in these words. */
+export function refused(use, message, code = 'invalid_argument') {
+  assert.throws(use, { name: 'PeltError', code, message });
+}
 
 /** Runs the command `pelt`. */
 export function runCommand(...args) {
@@ -77,6 +83,14 @@ function filesOfScene(scene, root) {
 
 /** [instance a, instance b, ...pair] of instances 0 and 1, one after the other, as crowds list them. */
 export const contactsOf = (pairs) => [...pairs].flatMap((t, i) => (i % 2 ? [t] : [0, 1, t]));
+
+/** What a crowd has an instance of: the instances of a scene, or each part of them. */
+export function bodiesOf(scene, byPart) {
+  return scene.instances.flatMap(({ character }, instance) => {
+    const { parts } = scene.characters[character];
+    return byPart ? parts.map((_, part) => ({ instance, part })) : [{ instance, part: null }];
+  });
+}
 
 /** The frames of "A:B" or "A:B:S". */
 export function framesOf(range) {

@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'nod
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { rocks } from '../../tests/wasm/rocks.mjs';
+import { rocks } from '../../tests/wasm/gltf.mjs';
 
 const command = path.resolve(process.env.PELT_COMMAND);
 const PLACE = '<script type="application/json" id="pelt-data">';
@@ -19,7 +19,7 @@ export const SCENE = {
     { model: 'cairn', clip: 'roll', start: 0.5, translation: [0.1, 0.15, 0.05] },
   ],
 };
-export const STONES = rocks(['base', 'middle', 'top']);
+export const STONES = Buffer.from(rocks(['base', 'middle', 'top']));
 
 export class Workshop {
   /** A folder with the scene, for the length of a test. */
