@@ -30,14 +30,6 @@ import type {
   ModelOptions,
   ReadOptions,
 } from './types/character.js';
-import type { CollideOptions, ContactGeometry, Contacts, QueryStats } from './types/contacts.js';
-import type {
-  ClearanceOptions,
-  Distance,
-  DistanceOptions,
-  NearPairs,
-  Penetration,
-} from './types/distances.js';
 import type {
   FirstContactOptions,
   Motion,
@@ -47,14 +39,24 @@ import type {
   SelfMovingContacts,
 } from './types/motion.js';
 import type { Pose } from './types/pose.js';
+import type {
+  ClearanceOptions,
+  CollideOptions,
+  ContactGeometry,
+  Contacts,
+  Distance,
+  DistanceOptions,
+  NearPairs,
+  Penetration,
+  QueryStats,
+} from './types/queries.js';
 import type { ContactHash, Crowd, Scene, SceneParts } from './types/scene.js';
 import type { CollisionSearch, SearchOptions } from './types/search.js';
 import type { ContactTally, SelfContacts, SelfFilter } from './types/self.js';
 export * from './types/character.js';
 export * from './types/pose.js';
 export * from './types/solids.js';
-export * from './types/contacts.js';
-export * from './types/distances.js';
+export * from './types/queries.js';
 export * from './types/motion.js';
 export * from './types/scene.js';
 export * from './types/search.js';

@@ -4,19 +4,11 @@ import makeModule from './engine.mjs';
 import { Character } from './lib/character.mjs';
 import * as check from './lib/checks.mjs';
 import { ContactHash, Crowd } from './lib/crowd.mjs';
-import { withDecoder } from './lib/decoder.mjs';
-import { containment, deepestVertex, distance } from './lib/distances.mjs';
-import { invalid } from './lib/errors.mjs';
-import { withFiles } from './lib/files.mjs';
-import { expose } from './lib/internals.mjs';
+import { invalid, PeltError } from './lib/errors.mjs';
+import { withDecoder, withFiles } from './lib/files.mjs';
+import { expose, memoryOf } from './lib/internals.mjs';
 import { Memory } from './lib/memory.mjs';
-import {
-  collideMoving,
-  firstContact,
-  selfCollideMoving,
-  selfTouchesWhileMoving,
-  touchWhileMoving,
-} from './lib/motion.mjs';
+import * as motion from './lib/motion.mjs';
 import {
   kCreatureRules,
   kFaceRules,
@@ -26,20 +18,10 @@ import {
   readObject,
   readOptions,
 } from './lib/options.mjs';
-import {
-  clearance,
-  describeContacts,
-  different,
-  isWithin,
-  mostContacts,
-  readContacts,
-} from './lib/queries.mjs';
-import { Pose } from './lib/pose.mjs';
+import * as queries from './lib/queries.mjs';
 import { Scene } from './lib/scene.mjs';
 import { CollisionSearch } from './lib/search.mjs';
 import { ContactTally, selfCollide, selfIntersects } from './lib/self.mjs';
-import { requireSimd } from './lib/simd.mjs';
-import { readStats } from './lib/stats.mjs';
 
 export { PeltError } from './lib/errors.mjs';
 export { FeatureKind } from './lib/motion.mjs';
@@ -51,36 +33,28 @@ export async function loadPelt() {
   return new Pelt(new Memory(await makeModule()));
 }
 
-/** three.js has indices of 16 bits for small meshes. */
-function indicesOf(triangles, name) {
-  const indices = triangles instanceof Uint16Array ? Uint32Array.from(triangles) : triangles;
-  return check.rows(indices, 3, name);
-}
-
 class Pelt {
   #memory;
-  #module;
 
   constructor(memory) {
     this.#memory = memory;
-    this.#module = memory.module;
     expose(this, memory);
   }
 
   get version() {
-    return this.#memory.text(this.#module._pelt_version());
+    return this.#memory.text('version');
   }
 
   get demoScene() {
-    return this.#memory.text(this.#module._pelt_demo_scene());
+    return this.#memory.text('demo_scene');
   }
 
   get lastStats() {
-    return readStats(this.#memory);
+    return this.#memory.stats();
   }
 
   get hasEnded() {
-    return this.#memory.gate.hasEnded;
+    return this.#memory.hasEnded;
   }
 
   readCharacter(file, given = {}) {
@@ -88,27 +62,18 @@ class Pelt {
     const { meshoptDecode, files, name, ...rest } = options;
     if (name === undefined) throw invalid("name: a character needs one, as in { name: 'knight' }");
     const bytes = check.bytes(file, 'file');
-    const read = (folder) =>
-      this.#memory.withBytes(bytes, (address) =>
-        this.#prepare({ ...rest, name, folder }, (...prepared) =>
-          this.#module._pelt_read_character(address, bytes.length, ...prepared),
-        ),
-      );
+    const read = (folder) => this.#make('read_character', [bytes], { ...rest, name, folder });
     return withDecoder(this.#memory, meshoptDecode, () =>
       files === undefined ? read('') : withFiles(this.#memory, files, read),
     );
   }
 
   generateCreature(options = {}) {
-    return this.#prepare(readObject(this.#memory, options, kCreatureRules), (...prepared) =>
-      this.#module._pelt_generate_creature(...prepared),
-    );
+    return this.#make('generate_creature', [], readObject(this.#memory, options, kCreatureRules));
   }
 
   generateFace(options = {}) {
-    return this.#prepare(readObject(this.#memory, options, kFaceRules), (...prepared) =>
-      this.#module._pelt_generate_face(...prepared),
-    );
+    return this.#make('generate_face', [], readObject(this.#memory, options, kFaceRules));
   }
 
   makeCharacter(mesh) {
@@ -116,106 +81,20 @@ class Pelt {
     const { restPositions, triangles, ...options } = arrays;
     const positions = check.rows(restPositions, 3, 'mesh.restPositions', Float32Array);
     const indices = indicesOf(triangles, 'mesh.triangles');
-    const sizes = [positions, indices].map(({ length }) => length / 3);
-    return this.#memory.withBytes(positions, (vertices) =>
-      this.#memory.withBytes(indices, (corners) =>
-        this.#prepare(options, (...prepared) =>
-          this.#module._pelt_make_character(vertices, sizes[0], corners, sizes[1], ...prepared),
-        ),
-      ),
-    );
+    return this.#make('make_character', [positions, indices], options);
   }
 
   readScene(path, files, given) {
     const { meshoptDecode, ...options } = readOptions(this.#memory, given, kModelRules);
     const read = () =>
-      this.#memory.withText(check.path(path, 'path'), (address) =>
-        this.#withOptions(options, (json) =>
-          this.#memory.accepted(this.#module._pelt_read_scene(address, json)),
-        ),
-      );
-    const parts = this.#memory.json(
-      withDecoder(this.#memory, meshoptDecode, () => withFiles(this.#memory, files, read)),
-    );
+      this.#memory.json('read_scene', check.path(path, 'path'), JSON.stringify(options));
+    const parts = withDecoder(this.#memory, meshoptDecode, () => withFiles(this.#memory, files, read));
     parts.characters = parts.characters.map((handle) => new Character(this.#memory, handle));
     return new Scene(this.#memory, parts);
   }
 
   makeScene(parts) {
     return new Scene(this.#memory, parts);
-  }
-
-  collide(a, b, options = undefined) {
-    const most = mostContacts(this.#memory, options);
-    this.#module._pelt_collide(...different(this.#memory, a, b), most);
-    return readContacts(this.#memory);
-  }
-
-  collideEagerly(a, b, options = undefined) {
-    const most = mostContacts(this.#memory, options);
-    this.#module._pelt_collide_eagerly(...different(this.#memory, a, b), most);
-    return readContacts(this.#memory);
-  }
-
-  intersects(a, b) {
-    return this.#module._pelt_intersects(...different(this.#memory, a, b)) !== 0;
-  }
-
-  describeContacts(a, b, pairs) {
-    return describeContacts(this.#memory, different(this.#memory, a, b), pairs);
-  }
-
-  selfCollide(pose, filter, options = undefined) {
-    return selfCollide(this.#memory, pose, filter, options);
-  }
-
-  selfIntersects(pose, filter) {
-    return selfIntersects(this.#memory, pose, filter);
-  }
-
-  describeSelfContacts(pose, pairs) {
-    const handle = this.#memory.handles.given(pose, Pose, 'pose');
-    return describeContacts(this.#memory, [handle, handle], pairs);
-  }
-
-  distance(a, b, options = undefined) {
-    return distance(this.#memory, different(this.#memory, a, b), options);
-  }
-
-  clearance(a, b, tolerance, options = undefined) {
-    return clearance(this.#memory, a, b, tolerance, options);
-  }
-
-  isWithin(a, b, tolerance) {
-    return isWithin(this.#memory, a, b, tolerance);
-  }
-
-  deepestVertex(a, b) {
-    return deepestVertex(this.#memory, different(this.#memory, a, b), b);
-  }
-
-  containment(a, b) {
-    return containment(this.#memory, different(this.#memory, a, b));
-  }
-
-  collideMoving(a, b, options = undefined) {
-    return collideMoving(this.#memory, a, b, options);
-  }
-
-  touchWhileMoving(a, b) {
-    return touchWhileMoving(this.#memory, a, b);
-  }
-
-  firstContact(a, b, options = undefined) {
-    return firstContact(this.#memory, a, b, options);
-  }
-
-  selfCollideMoving(motion, filter, options = undefined) {
-    return selfCollideMoving(this.#memory, motion, filter, options);
-  }
-
-  selfTouchesWhileMoving(motion, filter) {
-    return selfTouchesWhileMoving(this.#memory, motion, filter);
   }
 
   makeSearch(a, b, options = undefined) {
@@ -234,19 +113,65 @@ class Pelt {
     return new ContactTally(this.#memory);
   }
 
-  /** Returns the character that `make(caps, count, json)` makes: with caps of vertices, and other options. */
-  #prepare({ offsetCaps, ...options }, make) {
+  /** Returns the character that a function makes of arrays, caps of vertices, and other options. */
+  #make(name, arrays, { offsetCaps, ...options }) {
     const isSame = typeof offsetCaps === 'number';
-    const caps = isSame || offsetCaps === undefined ? new Float32Array(0) : offsetCaps;
-    const handle = this.#memory.withBytes(caps, (address) =>
-      this.#withOptions(isSame ? { ...options, offsetCaps } : options, (json) =>
-        make(address, caps.length, json),
-      ),
-    );
-    return new Character(this.#memory, this.#memory.accepted(handle));
+    const caps = isSame || offsetCaps === undefined ? new Float32Array() : offsetCaps;
+    const json = JSON.stringify(isSame ? { ...options, offsetCaps } : options);
+    return new Character(this.#memory, this.#memory.call(name, ...arrays, caps, json));
   }
+}
 
-  #withOptions(options, use) {
-    return this.#memory.withText(JSON.stringify(options), use);
-  }
+/** Methods that are functions of the same name, which take the engine's memory first. */
+const kQueries = {
+  clearance: queries.clearance,
+  collide: queries.collide,
+  collideEagerly: queries.collideEagerly,
+  containment: queries.containment,
+  deepestVertex: queries.deepestVertex,
+  describeContacts: queries.describeContacts,
+  describeSelfContacts: queries.describeSelfContacts,
+  distance: queries.distance,
+  intersects: queries.intersects,
+  isWithin: queries.isWithin,
+  collideMoving: motion.collideMoving,
+  firstContact: motion.firstContact,
+  selfCollideMoving: motion.selfCollideMoving,
+  selfTouchesWhileMoving: motion.selfTouchesWhileMoving,
+  touchWhileMoving: motion.touchWhileMoving,
+  selfCollide,
+  selfIntersects,
+};
+for (const [name, query] of Object.entries(kQueries)) {
+  Object.defineProperty(Pelt.prototype, name, {
+    value(...given) {
+      return query(memoryOf(this), ...given);
+    },
+    configurable: true,
+    writable: true,
+  });
+}
+
+/** three.js has indices of 16 bits for small meshes. */
+function indicesOf(triangles, name) {
+  const indices = triangles instanceof Uint16Array ? Uint32Array.from(triangles) : triangles;
+  return check.rows(indices, 3, name);
+}
+
+/** A module whose only function returns a vector of zeros. */
+const kUsesSimd = Uint8Array.of(
+  ...[0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00],
+  ...[0x01, 0x05, 0x01, 0x60, 0x00, 0x01, 0x7b],
+  ...[0x03, 0x02, 0x01, 0x00],
+  ...[0x0a, 0x08, 0x01, 0x06, 0x00, 0x41, 0x00, 0xfd, 0x0f, 0x0b],
+);
+
+/** Throws a readable error if SIMD is missing; otherwise compiling the engine would fail. */
+function requireSimd() {
+  if (globalThis.WebAssembly?.validate(kUsesSimd)) return;
+  throw new PeltError(
+    'unsupported',
+    'this browser or Node does not support WebAssembly with SIMD: use Chrome or Edge 91, ' +
+      'Firefox 89, Safari 16.4, Node 18, or newer',
+  );
 }

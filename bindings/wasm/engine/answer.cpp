@@ -1,10 +1,15 @@
 #include "bindings/wasm/engine/answer.hpp"
 
-#include "bindings/wasm/engine/words.hpp"
+#include <pelt/version.hpp>
+
+#include "bindings/wasm/engine/export.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <cstddef>
+#include <malloc.h>
+
+#include <limits>
+#include <string_view>
 #include <utility>
 
 namespace pelt::wasm {
@@ -41,8 +46,6 @@ constexpr Field kFields[] = {
     {"vertex", offsetof(Answer, vertex), 1},
     {"depth", offsetof(Answer, depth), 1},
     {"position", offsetof(Answer, position), 3},
-    {"insideCount", offsetof(Answer, inside_count), 1},
-    {"instance", offsetof(Answer, instance), 1},
     {"ignored", offsetof(Answer, ignored), 1},
     {"leftOut", offsetof(Answer, left_out), 6},
     {"hashHigh", offsetof(Answer, hash_high), 1},
@@ -52,8 +55,27 @@ constexpr Field kFields[] = {
     {"centre", offsetof(Answer, centre), 3},
     {"radius", offsetof(Answer, radius), 1},
 };
-static_assert(sizeof(void*) == 4 && offsetof(Answer, count) == offsetof(Answer, data) + 4,
-              "JavaScript reads data and count as two numbers of 32 bits");
+static_assert(sizeof(void*) == 4 && sizeof(AnswerArray) == 8,
+              "JavaScript reads an array's data and bytes as two numbers of 32 bits");
+
+/// Memory where JavaScript writes arguments, and behind them copies of small arrays and texts.
+alignas(16) std::array<double, 8192> input;
+
+struct Words {
+  std::string_view in_code, in_javascript;
+};
+
+/// A phrase comes before those that it contains.
+constexpr Words kWords[] = {
+    {"off_weights = OffWeights::renormalise", "renormalise: true"},
+    {"ModelOptions::weld = false", "weld: false"},
+    {"ModelOptions::skinning = Skinning::dual_quaternion", "skinning: 'dual-quaternion'"},
+    {"dual_quaternions[", "dualQuaternions["},
+    {"SkinnedMeshView::offset_caps", "offsetCaps"},
+    {"offset_caps", "offsetCaps"},
+    {"rest_positions", "restPositions"},
+    {"set_palette", "setPalette"},
+};
 
 const char* name_of(ErrorCode code) {
   switch (code) {
@@ -76,7 +98,7 @@ Answer& answer() {
   return answer;
 }
 
-void answer_stats(const QueryStats& stats) {
+void answer_work(const QueryStats& stats) {
   Answer& answered = answer();
   answered.node_pairs = static_cast<double>(stats.node_pairs);
   answered.refits = static_cast<double>(stats.refits);
@@ -85,11 +107,6 @@ void answer_stats(const QueryStats& stats) {
   answered.displacements = static_cast<double>(stats.displacements);
   answered.clamped_offsets = static_cast<double>(stats.clamped_offsets);
   answered.cut_short = stats.cut_short ? 1 : 0;
-}
-
-std::uint32_t answer_yes_no(const YesNo& yes_no) {
-  answer_stats(yes_no);
-  return yes_no ? 1 : 0;
 }
 
 void answer_left_out(const LeftOut& left_out) {
@@ -113,26 +130,48 @@ const char* answer_json(const nlohmann::json& json) {
   return answer_text(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-std::uint32_t refuse(Error error) {
+double refuse(Error error) {
   kept_error() = std::move(error);
-  return 0;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::uint32_t done(const Result<void>& result) {
-  return result ? 1 : refuse(in_words_of_javascript(result.error()));
+Error in_words_of_javascript(Error error) {
+  for (const auto& [in_code, in_javascript] : kWords)
+    if (const std::size_t at = error.message.find(in_code); at != error.message.npos)
+      error.message.replace(at, in_code.size(), in_javascript);
+  return error;
 }
 
-PELT_EXPORT const Answer* pelt_answer() { return &answer(); }
+Result<void> in_words_of_javascript(const Result<void>& result) {
+  if (result) return result;
+  return in_words_of_javascript(result.error());
+}
 
-/// JSON: the place in bytes and the number of doubles of each field, and the place of the data.
-PELT_EXPORT const char* pelt_answer_layout() {
+const double* arguments() { return input.data(); }
+
+std::uint32_t next_whole(const double*& next) { return static_cast<std::uint32_t>(*next++); }
+
+/// JSON: the places of the answer and its fields, in bytes, with their numbers of doubles, and
+/// where JavaScript writes arguments.
+PELT_RAW_EXPORT const char* pelt_layout() {
   nlohmann::json fields = nlohmann::json::object();
   for (const auto& [name, offset, doubles] : kFields) fields[name] = {offset, doubles};
-  return answer_json({{"fields", std::move(fields)}, {"data", offsetof(Answer, data)}});
+  const auto place = [](const void* at) { return reinterpret_cast<std::uintptr_t>(at); };
+  return answer_json({{"answer", place(&answer())},
+                      {"fields", std::move(fields)},
+                      {"arrays", offsetof(Answer, arrays)},
+                      {"input", place(input.data())},
+                      {"inputBytes", sizeof(input)}});
 }
 
-PELT_EXPORT const char* pelt_error() {
+PELT_RAW_EXPORT const char* pelt_error() {
   return answer_json({{"code", name_of(kept_error().code)}, {"message", kept_error().message}});
 }
+
+const char* version() { return PELT_VERSION; }
+PELT_EXPORT(version)
+
+std::uint32_t bytes_in_use() { return static_cast<std::uint32_t>(mallinfo().uordblks); }
+PELT_EXPORT(bytes_in_use)
 
 }  // namespace pelt::wasm

@@ -11,12 +11,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <iterator>
 #include <string>
 
-/// A function that JavaScript calls.
-#define PELT_EXPORT extern "C" [[gnu::used, gnu::visibility("default")]]
+/// A function that JavaScript calls as it is, without export.hpp.
+#define PELT_RAW_EXPORT extern "C" [[gnu::used, gnu::visibility("default")]]
 
 namespace pelt::wasm {
 
@@ -25,8 +26,14 @@ using Numbers3 = std::array<double, 3>;
 
 inline Numbers3 numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+/// An array that JavaScript copies.
+struct AnswerArray {
+  const void* data = nullptr;
+  std::uint32_t bytes = 0;
+};
+
 /// Functions of the engine set some of the fields. JavaScript reads the fields by name, at the
-/// places that `pelt_answer_layout` lists.
+/// places that `pelt_layout` lists.
 struct Answer {
   double node_pairs = 0, refits = 0, posed_vertices = 0, triangle_pairs = 0, displacements = 0;
   double clamped_offsets = 0;
@@ -35,43 +42,50 @@ struct Answer {
   double distance = 0, lower_bound = 0;      ///< of two surfaces, or of a surface and a point
   double vertex = 0, depth = 0;              ///< the deepest vertex
   Numbers3 position = {};                    ///< of that vertex
-  double inside_count = 0;                   ///< number of triangles inside
-  double instance = 0;                       ///< number of an instance of a crowd
   double ignored = 0;                        ///< number of ignored contacts
   std::array<double, 6> left_out = {};       ///< see LeftOut
   double hash_high = 0, hash_low = 0;        ///< the halves of a hash
   Numbers3 low = {}, high = {};              ///< a box
   Numbers3 centre = {};                      ///< a sphere
   double radius = 0;
-  const void* data = nullptr;
-  std::uint32_t count = 0;  ///< elements of `data`
+  std::array<AnswerArray, 9> arrays = {};
 };
 
 Answer& answer();
 
-/// Sets the fields of the work. Every query calls this, also if JavaScript returns no work.
-void answer_stats(const QueryStats& stats);
-
-/// Sets the fields of the work. Returns 1 for yes, 0 for no.
-std::uint32_t answer_yes_no(const YesNo& yes_no);
-
+void answer_work(const QueryStats& stats);
 void answer_left_out(const LeftOut& left_out);
 void answer_box(const Box& box);
 
-template <typename T>
-void answer_data(std::span<const T> elements) {
-  answer().data = elements.data();
-  answer().count = static_cast<std::uint32_t>(elements.size());
+/// Sets the fields of the work, and of what else the statistics have. Every query calls this, also
+/// if JavaScript returns no work. A function that returns statistics need not call it.
+template <typename Stats>
+void answer_stats(const Stats& stats) {
+  answer_work(stats);
+  if constexpr (requires { stats.left_out; }) answer_left_out(stats.left_out);
+  if constexpr (requires { stats.exact_pairs; }) {
+    answer().double_pairs = static_cast<double>(stats.double_pairs);
+    answer().exact_pairs = static_cast<double>(stats.exact_pairs);
+  }
+}
+
+/// Answers with arrays, which must stay as they are until JavaScript has read them.
+template <typename... Arrays>
+void answer_arrays(const Arrays&... arrays) {
+  answer().arrays = {
+      AnswerArray{std::data(arrays),
+                  static_cast<std::uint32_t>(std::size(arrays) * sizeof(*std::data(arrays)))}...};
 }
 
 /// Returns a text that stays valid until the next one.
 const char* answer_text(std::string text);
 const char* answer_json(const nlohmann::json& json);
 
-/// Stores the error, which JavaScript reads next, and returns 0.
-std::uint32_t refuse(Error error);
+/// Stores the error, which JavaScript reads next, and returns NaN.
+double refuse(Error error);
 
-/// Returns 1, or `refuse` of the library's error, in words of JavaScript.
-std::uint32_t done(const Result<void>& result);
+/// Replaces C++ names in a message of the library with those of JavaScript.
+Error in_words_of_javascript(Error error);
+Result<void> in_words_of_javascript(const Result<void>& result);
 
 }  // namespace pelt::wasm

@@ -4,10 +4,9 @@
 #include <pelt/model.hpp>
 
 #include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/export.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/options.hpp"
-#include "bindings/wasm/engine/seams.hpp"
-#include "bindings/wasm/engine/words.hpp"
 #include "bounds/level_boxes.hpp"
 #include "model/model.hpp"
 #include "model/surface.hpp"
@@ -18,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace pelt::wasm {
 namespace {
@@ -41,7 +41,7 @@ Result<SkinnedModel> build(const asset::Asset& asset, SkinnedMeshView mesh,
   return build_model(mesh, options);
 }
 
-Result<scenes::Character> read_character(std::span<const std::byte> file, const Options& options) {
+Result<scenes::Character> read_file(std::span<const std::byte> file, const Options& options) {
   const std::string name = options.text("name");
   if (is_prepared_model(file))
     return text::prefixed(name, text::unsupported("is a prepared model: read the glTF file "
@@ -49,11 +49,6 @@ Result<scenes::Character> read_character(std::span<const std::byte> file, const 
   Result<asset::Asset> read = asset::load_gltf(file, options.text("folder"), options.gltf());
   if (!read) return text::prefixed(name, read.error());
   return scenes::Character{name, name, 0, std::move(*read)};
-}
-
-std::uint32_t answer_handle(Result<CharacterHandle> handle) {
-  if (!handle) return refuse(handle.error());
-  return address_of(new CharacterHandle(std::move(*handle)));
 }
 
 /// Uses the clips named in the options, or the first clips. `caps` are those of the vertices, or
@@ -82,24 +77,26 @@ Result<Preparation> choose_preparation(const asset::Asset& asset, std::span<cons
   return preparation;
 }
 
-std::uint32_t prepare_read(Result<scenes::Character> read, std::span<const float> caps,
-                           const Options& options) {
-  if (!read) return refuse(read.error());
+Result<CharacterHandle*> prepare_read(Result<scenes::Character> read, std::span<const float> caps,
+                                      const Options& options) {
+  if (!read) return read.error();
   const Result<Preparation> preparation = choose_preparation(read->asset, caps, options);
-  if (!preparation) return refuse(text::prefixed(read->name, preparation.error()));
-  return answer_handle(prepare(std::move(*read), *preparation));
+  if (!preparation) return text::prefixed(read->name, preparation.error());
+  Result<CharacterHandle> handle = prepare(std::move(*read), *preparation);
+  if (!handle) return handle.error();
+  return new CharacterHandle(std::move(*handle));
 }
 
-std::uint32_t prepare_generated(Result<scenes::Character> generated, std::span<const float> caps,
-                                const Options& options) {
+Result<CharacterHandle*> prepare_generated(Result<scenes::Character> generated,
+                                           std::span<const float> caps, const Options& options) {
   if (const std::string name = options.text("name"); generated && !name.empty())
     generated->name = name;
   return prepare_read(std::move(generated), caps, options);
 }
 
 /// Returns a character whose vertices all follow one joint.
-scenes::Character make_character(const std::string& name, std::span<const Vec3> rest_positions,
-                                 std::span<const Triangle> triangles) {
+scenes::Character make_rigid(const std::string& name, std::span<const Vec3> rest_positions,
+                             std::span<const Triangle> triangles) {
   asset::Asset asset;
   asset.rest_positions.assign(rest_positions.begin(), rest_positions.end());
   asset.triangles.assign(triangles.begin(), triangles.end());
@@ -151,8 +148,18 @@ json describe(const Character& character) {
 }  // namespace
 
 const std::vector<std::uint32_t>& Character::get_seams() {
-  if (seams.empty())
-    seams = find_seams(whole.model.surface(), asset().triangles, whole.model.vertex_count());
+  if (!seams.empty()) return seams;
+  constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  std::vector<std::uint32_t> first(whole.model.vertex_count(), kNone);  // of each surface vertex
+  seams.resize(first.size());
+  std::iota(seams.begin(), seams.end(), 0u);
+  for (std::size_t t = 0; t < asset().triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t vertex = asset().triangles[t][c];
+      std::uint32_t& known = first[whole.model.surface().detail().corners[t][c]];
+      if (known == kNone) known = vertex;
+      seams[vertex] = known;
+    }
   return seams;
 }
 
@@ -191,71 +198,74 @@ Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation)
       Character{std::move(read), std::move(preparation), {std::move(*model), 0}, {}, {}})};
 }
 
-/// The parameters `caps` and `options`, also of the next functions, are those of
-/// choose_preparation.
-PELT_EXPORT std::uint32_t pelt_read_character(const std::byte* file, std::uint32_t size,
-                                              const float* caps, std::uint32_t cap_count,
-                                              const char* options) {
-  const Result<Options> read = Options::read(options);
-  if (!read) return refuse(read.error());
-  return prepare_read(read_character({file, size}, *read), {caps, cap_count}, *read);
+/// The parameters `caps` and `json`, also of the next functions, are those of choose_preparation.
+Result<CharacterHandle*> read_character(std::span<const std::byte> file,
+                                        std::span<const float> caps, std::string_view json) {
+  const Result<Options> options = Options::read(json);
+  if (!options) return options.error();
+  return prepare_read(read_file(file, *options), caps, *options);
 }
+PELT_EXPORT(read_character)
 
-PELT_EXPORT std::uint32_t pelt_make_character(const Vec3* rest_positions, std::uint32_t vertices,
-                                              const Triangle* triangles, std::uint32_t count,
-                                              const float* caps, std::uint32_t cap_count,
-                                              const char* options) {
-  const Result<Options> read = Options::read(options);
-  if (!read) return refuse(read.error());
-  return prepare_read(
-      make_character(read->text("name"), {rest_positions, vertices}, {triangles, count}),
-      {caps, cap_count}, *read);
+Result<CharacterHandle*> make_character(std::span<const Vec3> rest_positions,
+                                        std::span<const Triangle> triangles,
+                                        std::span<const float> caps, std::string_view json) {
+  const Result<Options> options = Options::read(json);
+  if (!options) return options.error();
+  return prepare_read(make_rigid(options->text("name"), rest_positions, triangles), caps, *options);
 }
+PELT_EXPORT(make_character)
 
-PELT_EXPORT std::uint32_t pelt_generate_creature(const float* caps, std::uint32_t cap_count,
-                                                 const char* options) {
-  const Result<Options> read = Options::read(options);
-  if (!read) return refuse(read.error());
-  return prepare_generated(scenes::generate_character(read->creature()), {caps, cap_count}, *read);
+Result<CharacterHandle*> generate_creature(std::span<const float> caps, std::string_view json) {
+  const Result<Options> options = Options::read(json);
+  if (!options) return options.error();
+  return prepare_generated(scenes::generate_character(options->creature()), caps, *options);
 }
+PELT_EXPORT(generate_creature)
 
-PELT_EXPORT std::uint32_t pelt_generate_face(const float* caps, std::uint32_t cap_count,
-                                             const char* options) {
-  const Result<Options> read = Options::read(options);
-  if (!read) return refuse(read.error());
-  return prepare_generated(scenes::generate_character(read->face()), {caps, cap_count}, *read);
+Result<CharacterHandle*> generate_face(std::span<const float> caps, std::string_view json) {
+  const Result<Options> options = Options::read(json);
+  if (!options) return options.error();
+  return prepare_generated(scenes::generate_character(options->face()), caps, *options);
 }
+PELT_EXPORT(generate_face)
 
-PELT_EXPORT void pelt_delete_character(CharacterHandle* handle) { delete handle; }
+void delete_character(CharacterHandle* handle) { delete handle; }
+PELT_EXPORT(delete_character)
 
-PELT_EXPORT const char* pelt_describe_character(const CharacterHandle* handle) {
-  return answer_json(describe(*handle->character));
+const char* describe_character(const CharacterHandle& handle) {
+  return answer_json(describe(*handle.character));
 }
+PELT_EXPORT(describe_character)
 
-PELT_EXPORT void pelt_triangles(const CharacterHandle* handle) {
-  answer_data<Triangle>(handle->character->asset().triangles);
+void triangles(const CharacterHandle& handle) {
+  answer_arrays(handle.character->asset().triangles);
 }
+PELT_EXPORT(triangles)
 
-PELT_EXPORT void pelt_rest_positions(const CharacterHandle* handle) {
-  answer_data<Vec3>(handle->character->asset().rest_positions);
+void rest_positions(const CharacterHandle& handle) {
+  answer_arrays(handle.character->asset().rest_positions);
 }
+PELT_EXPORT(rest_positions)
 
-PELT_EXPORT void pelt_triangle_joints(const CharacterHandle* handle) {
-  answer_data<std::uint16_t>(handle->character->whole.model.surface().detail().joints);
+void triangle_joints(const CharacterHandle& handle) {
+  answer_arrays(handle.character->whole.model.surface().detail().joints);
 }
+PELT_EXPORT(triangle_joints)
 
 /// Answers with the box of the character's default pose.
-PELT_EXPORT std::uint32_t pelt_extent(const CharacterHandle* handle) {
-  const Character& character = *handle->character;
+Result<void> extent(const CharacterHandle& handle) {
+  const Character& character = *handle.character;
   std::vector<Matrix4> palette(character.asset().joints.size());
   asset::sample_palette(character.asset(), nullptr, 0, {}, sample_scratch(), palette);
   Pose pose(character.whole.model);
   if (const Result<void> set = pose.set_palette(palette); !set)
-    return refuse(text::prefixed(character.read.name, set.error()));
+    return text::prefixed(character.read.name, set.error());
   Bounds found;
   exact_bounds(pose, found);
   answer_box(found.box);
-  return 1;
+  return {};
 }
+PELT_EXPORT(extent)
 
 }  // namespace pelt::wasm

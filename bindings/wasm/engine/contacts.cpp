@@ -1,12 +1,11 @@
-/// The geometry of contacts, in arrays that JavaScript reads one by one.
+/// The geometry of contacts.
 
 #include <pelt/surface.hpp>
 
-#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/export.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 
 namespace pelt::wasm {
 namespace {
@@ -37,7 +36,6 @@ const char* problem_of(std::span<const Contact> contacts, const SkinnedModel& a,
   return nullptr;
 }
 
-/// Returned arrays, valid until the next call.
 struct Columns {
   std::vector<float> segments, normals, depths;
   std::vector<std::uint8_t> kinds;
@@ -46,16 +44,6 @@ struct Columns {
   std::vector<std::uint32_t> curves;  // [C][3] begin, end, whether it is closed
   std::vector<double> patches;        // [R][12] in the order of write_patch
 };
-
-ContactGeometry& geometry() {
-  static ContactGeometry geometry;
-  return geometry;
-}
-
-Columns& columns() {
-  static Columns columns;
-  return columns;
-}
 
 void push(std::vector<float>& floats, const Vec3& v) {
   floats.insert(floats.end(), {v.x, v.y, v.z});
@@ -88,19 +76,11 @@ void write_curve(const ContactGeometry& geometry, const ContactCurve& curve, Col
 void write_patch(const ContactPatch& patch, Columns& columns) {
   const auto& [x, y, z] = patch.point;
   const auto& [nx, ny, nz] = patch.normal;
-  const std::initializer_list<double> row = {static_cast<double>(patch.first),
-                                             static_cast<double>(patch.first + patch.count),
-                                             patch.length,
-                                             patch.depth,
-                                             x,
-                                             y,
-                                             z,
-                                             nx,
-                                             ny,
-                                             nz,
-                                             static_cast<double>(patch.joint_a),
-                                             static_cast<double>(patch.joint_b)};
-  columns.patches.insert(columns.patches.end(), row);
+  const auto number = [](std::uint32_t whole) { return static_cast<double>(whole); };
+  const double begin = number(patch.first), end = number(patch.first + patch.count);
+  columns.patches.insert(columns.patches.end(),
+                         {begin, end, patch.length, patch.depth, x, y, z, nx, ny, nz,
+                          number(patch.joint_a), number(patch.joint_b)});
 }
 
 void write_columns(const ContactGeometry& geometry, Columns& columns) {
@@ -112,53 +92,23 @@ void write_columns(const ContactGeometry& geometry, Columns& columns) {
 
 }  // namespace
 
-/// Describes contacts. Read the arrays with pelt_contact_column.
-/// The same pose twice: contacts of the pose with itself.
-PELT_EXPORT std::uint32_t pelt_describe_contacts(PoseHandle* a, PoseHandle* b,
-                                                 const Contact* contacts, std::uint32_t count) {
-  const std::vector<Contact> given = in_models({contacts, count}, a->body, b->body);
-  if (const char* problem = problem_of(given, a->pose.model(), b->pose.model(), a == b))
-    return refuse({ErrorCode::invalid_argument, problem});
-  answer_stats(a == b ? describe_contacts(a->pose, given, scratch(), geometry())
-                      : describe_contacts(a->pose, b->pose, given, scratch(), geometry()));
-  write_columns(geometry(), columns());
-  return 1;
+/// Answers with the columns in the order of queries.mjs. The same pose twice: contacts of the pose
+/// with itself.
+Result<QueryStats> describe_contacts(PoseHandle& a, PoseHandle& b,
+                                     std::span<const Contact> contacts) {
+  static ContactGeometry geometry;
+  static Columns columns;
+  const bool is_self = &a == &b;
+  const std::vector<Contact> given = in_models(contacts, a.body, b.body);
+  if (const char* problem = problem_of(given, a.pose.model(), b.pose.model(), is_self))
+    return Error{ErrorCode::invalid_argument, problem};
+  const QueryStats stats = is_self ? describe_contacts(a.pose, given, scratch(), geometry)
+                                   : describe_contacts(a.pose, b.pose, given, scratch(), geometry);
+  write_columns(geometry, columns);
+  answer_arrays(columns.segments, columns.normals, columns.depths, columns.kinds, columns.joints,
+                columns.points, columns.curves, columns.patches, geometry.members);
+  return stats;
 }
-
-/// Same order as in queries.mjs.
-enum class Column : std::uint32_t {
-  segments,
-  normals,
-  depths,
-  kinds,
-  joints,
-  points,
-  curves,
-  patches,
-  members,
-};
-
-PELT_EXPORT void pelt_contact_column(Column column) {
-  switch (column) {
-    case Column::segments:
-      return answer_data<float>(columns().segments);
-    case Column::normals:
-      return answer_data<float>(columns().normals);
-    case Column::depths:
-      return answer_data<float>(columns().depths);
-    case Column::kinds:
-      return answer_data<std::uint8_t>(columns().kinds);
-    case Column::joints:
-      return answer_data<std::uint16_t>(columns().joints);
-    case Column::points:
-      return answer_data<float>(columns().points);
-    case Column::curves:
-      return answer_data<std::uint32_t>(columns().curves);
-    case Column::patches:
-      return answer_data<double>(columns().patches);
-    case Column::members:
-      return answer_data<std::uint32_t>(geometry().members);
-  }
-}
+PELT_EXPORT(describe_contacts)
 
 }  // namespace pelt::wasm

@@ -4,9 +4,8 @@
 
 #include "asset/parsed_json.hpp"
 #include "base/hash.hpp"
-#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/export.hpp"
 #include "bindings/wasm/engine/handles.hpp"
-#include "bindings/wasm/engine/kept_offsets.hpp"
 #include "bindings/wasm/engine/moving_columns.hpp"
 #include "scenes/ignored_pairs.hpp"
 #include "text/message.hpp"
@@ -14,10 +13,32 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 
 namespace pelt::wasm {
 namespace {
+
+/// The offsets of an instance of a crowd, which borrows them: those that were set last, and those
+/// at the start of the step. A move changes no address of an offset.
+class KeptOffsets {
+ public:
+  /// Copies offsets in a step, and returns the copy. Keeps the copy before it if the start of the
+  /// step may borrow it.
+  std::span<const Vec3> keep(std::span<const Vec3> offsets, std::uint64_t step) {
+    if (step != step_) std::swap(last_, start_);
+    step_ = step;
+    last_.assign(offsets.begin(), offsets.end());
+    return last_;
+  }
+
+  /// Call when the start of the step has borrowed the offsets that were set last.
+  void start_borrows() { step_ = std::numeric_limits<std::uint64_t>::max(); }
+
+ private:
+  std::vector<Vec3> last_, start_;
+  std::uint64_t step_ = 0;  // in which `last_` was set
+};
 
 /// An instance of the crowd.
 struct Member {
@@ -38,11 +59,10 @@ struct CrowdHandle {
   std::vector<SelfFilter> part_filters;                ///< of whole characters
   std::vector<scenes::NamePair> ignore;
   std::optional<scenes::IgnoredPairs> ignored;  ///< of these characters; created on first use
-  std::vector<float> input;                     ///< where JavaScript writes a palette or weights
-  std::vector<Vec3> vertices;                   ///< the same for vertices or offsets
   std::uint64_t step = 0;                       ///< number of steps begun
   std::vector<CrowdContact> found;
   std::vector<CrowdMovingContact> moving;
+  MovingColumns columns;
 
   std::uint32_t number_of(const std::shared_ptr<Character>& character) {
     const auto known = std::find(characters.begin(), characters.end(), character);
@@ -70,7 +90,7 @@ void number_in_characters(const CrowdHandle& handle, CrowdContact& contact) {
 }
 
 /// Appends contacts with the characters' triangle numbers.
-CrowdStats collide(CrowdHandle& handle, const CrowdOptions& options) {
+CrowdStats find_contacts(CrowdHandle& handle, const CrowdOptions& options) {
   const std::size_t begin = handle.found.size();
   const CrowdStats stats = handle.crowd.collide(handle.found, options);
   for (CrowdContact& contact : std::span(handle.found).subspan(begin))
@@ -121,7 +141,7 @@ bool limit_contacts(std::vector<CrowdContact>& contacts, std::uint32_t most) {
 
 /// Finds all contacts.
 CrowdStats collide_all(CrowdHandle& handle, const CrowdOptions& options) {
-  CrowdStats stats = collide(handle, options);
+  CrowdStats stats = find_contacts(handle, options);
   if (!handle.part_filters.empty()) stats.left_out += filter_parts(handle);
   return stats;
 }
@@ -130,7 +150,7 @@ CrowdStats collide_all(CrowdHandle& handle, const CrowdOptions& options) {
 void collide_selves(CrowdHandle& handle, CrowdOptions options, CrowdStats& stats) {
   const auto pairs = static_cast<std::ptrdiff_t>(handle.found.size());
   options.filter = [](std::uint32_t, std::uint32_t) { return false; };
-  const CrowdStats own = collide(handle, options);
+  const CrowdStats own = find_contacts(handle, options);
   static_cast<QueryStats&>(stats) += own;
   stats.left_out += own.left_out;
   const auto by_instances = [](const CrowdContact& a, const CrowdContact& b) {
@@ -156,21 +176,24 @@ CrowdStats collide_limited(CrowdHandle& handle, const CrowdOptions& options) {
   return stats;
 }
 
-/// Removes ignored contacts, and returns their number.
-std::size_t take_ignored_out(CrowdHandle& handle) {
-  if (handle.ignored->is_empty()) return 0;
-  return std::erase_if(handle.found, [&](const CrowdContact& contact) {
-    return handle.ignored->is_ignored(
-        handle.members[contact.instance_a].character, contact.triangle_a,
-        handle.members[contact.instance_b].character, contact.triangle_b);
-  });
+/// Removes ignored contacts, and answers with their number, and with all others.
+void answer_without_ignored(CrowdHandle& handle) {
+  std::size_t count = 0;
+  if (!handle.ignored->is_empty())
+    count = std::erase_if(handle.found, [&](const CrowdContact& contact) {
+      return handle.ignored->is_ignored(
+          handle.members[contact.instance_a].character, contact.triangle_a,
+          handle.members[contact.instance_b].character, contact.triangle_b);
+    });
+  answer().ignored = static_cast<double>(count);
+  answer_arrays(handle.found);
 }
 
 /// Tests instances against themselves with their filters.
-CrowdOptions self_tests(CrowdHandle* handle) {
+CrowdOptions self_tests(const CrowdHandle& handle) {
   CrowdOptions options;
-  options.self_filter = [handle](std::uint32_t instance) {
-    const std::optional<SelfFilter>& own = handle->members[instance].self_filter;
+  options.self_filter = [&handle](std::uint32_t instance) {
+    const std::optional<SelfFilter>& own = handle.members[instance].self_filter;
     return own ? &*own : nullptr;
   };
   return options;
@@ -188,8 +211,7 @@ void write_found(CrowdHandle& handle) {
 
 /// Writes the times and features of the contacts in `found`, some of those in `moving`, in the same
 /// order.
-void write_moving_columns(const CrowdHandle& handle) {
-  clear_moving_columns();
+void write_moving_columns(CrowdHandle& handle) {
   auto moving = handle.moving.begin();
   for (const CrowdContact& kept : handle.found) {
     const auto is_kept = [&](const CrowdMovingContact& other) {
@@ -199,7 +221,7 @@ void write_moving_columns(const CrowdHandle& handle) {
       return contact == kept;
     };
     moving = std::find_if(moving, handle.moving.end(), is_kept);
-    add_to_moving_columns((moving++)->moving);
+    handle.columns.add((moving++)->moving);
   }
 }
 
@@ -209,7 +231,7 @@ CrowdStats collide_motions(CrowdHandle& handle, const MovingOptions& options) {
   MovingOptions asked = options;
   if (!handle.part_filters.empty()) asked.max_contacts = MovingOptions().max_contacts;
   handle.moving.clear();
-  CrowdStats stats = handle.crowd.collide(handle.moving, self_tests(&handle), asked);
+  CrowdStats stats = handle.crowd.collide(handle.moving, self_tests(handle), asked);
   write_found(handle);
   if (handle.part_filters.empty()) return stats;
   stats.left_out += filter_parts(handle);
@@ -228,173 +250,169 @@ void add(detail::Fnv1a64& hash, std::uint32_t frame, const CrowdContact& contact
 
 }  // namespace
 
-PELT_EXPORT std::uint32_t pelt_make_crowd() { return address_of(new CrowdHandle); }
-PELT_EXPORT void pelt_delete_crowd(CrowdHandle* handle) { delete handle; }
+CrowdHandle* make_crowd() { return new CrowdHandle; }
+PELT_EXPORT(make_crowd)
 
-/// Adds a part or a whole character, and answers with its number.
-PELT_EXPORT std::uint32_t pelt_add_to_crowd(CrowdHandle* handle, const CharacterHandle* character,
-                                            std::uint32_t part) {
-  const Result<Body*> body = character->character->body(part);
-  if (!body) return refuse(body.error());
-  answer().instance = handle->crowd.add((*body)->model);
-  handle->members.push_back(
-      {handle->number_of(character->character), (*body)->first_triangle, {}, {}});
-  return 1;
+void delete_crowd(CrowdHandle* handle) { delete handle; }
+PELT_EXPORT(delete_crowd)
+
+/// Adds a part or a whole character, and returns its number.
+Result<std::uint32_t> add_to_crowd(CrowdHandle& handle, const CharacterHandle& character,
+                                   std::uint32_t part) {
+  const Result<Body*> body = character.character->body(part);
+  if (!body) return body.error();
+  handle.members.push_back(
+      {handle.number_of(character.character), (*body)->first_triangle, {}, {}});
+  return handle.crowd.add((*body)->model);
 }
+PELT_EXPORT(add_to_crowd)
 
 /// Precondition: the filter is of the instance's body, or null for no test against itself.
-PELT_EXPORT void pelt_set_crowd_self_filter(CrowdHandle* handle, std::uint32_t instance,
-                                            const FilterHandle* filter) {
-  handle->members[instance].self_filter =
+void set_crowd_self_filter(CrowdHandle& handle, std::uint32_t instance,
+                           const FilterHandle* filter) {
+  handle.members[instance].self_filter =
       filter != nullptr ? std::optional(filter->filter) : std::nullopt;
 }
+PELT_EXPORT(set_crowd_self_filter)
 
-/// Adds a filter of a whole character, for contacts of its parts, and answers with its number.
-PELT_EXPORT std::uint32_t pelt_add_crowd_part_filter(CrowdHandle* handle,
-                                                     const FilterHandle* filter) {
-  handle->part_filters.push_back(filter->filter);
-  return static_cast<std::uint32_t>(handle->part_filters.size() - 1);
+/// Adds a filter of a whole character, for contacts of its parts, and returns its number.
+std::size_t add_crowd_part_filter(CrowdHandle& handle, const FilterHandle& filter) {
+  handle.part_filters.push_back(filter.filter);
+  return handle.part_filters.size() - 1;
 }
+PELT_EXPORT(add_crowd_part_filter)
 
 /// Precondition: the instance is a part of the filter's character.
-PELT_EXPORT void pelt_set_crowd_part_filter(CrowdHandle* handle, std::uint32_t instance,
-                                            std::uint32_t filter) {
-  handle->members[instance].part_filter = filter;
+void set_crowd_part_filter(CrowdHandle& handle, std::uint32_t instance, std::uint32_t filter) {
+  handle.members[instance].part_filter = filter;
 }
+PELT_EXPORT(set_crowd_part_filter)
 
 /// `pairs` is the JSON of an array of pairs of names.
-PELT_EXPORT std::uint32_t pelt_ignore_in_crowd(CrowdHandle* handle, const char* pairs) {
+Result<void> ignore_in_crowd(CrowdHandle& handle, std::string_view pairs) {
   const auto parsed = asset::parse_json(pairs);
-  if (!parsed) return refuse(text::prefixed("ignore", parsed.error()));
-  handle->ignored.reset();
-  handle->ignore.clear();
+  if (!parsed) return text::prefixed("ignore", parsed.error());
+  handle.ignored.reset();
+  handle.ignore.clear();
   for (const nlohmann::json& pair : **parsed)
-    handle->ignore.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
-  return 1;
+    handle.ignore.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
+  return {};
 }
+PELT_EXPORT(ignore_in_crowd)
 
-PELT_EXPORT float* pelt_crowd_input(CrowdHandle* handle, std::uint32_t floats) {
-  handle->input.resize(floats);
-  return handle->input.data();
+Result<void> set_crowd_palette(CrowdHandle& handle, std::uint32_t instance,
+                               std::span<const float> palette) {
+  return in_words_of_javascript(handle.crowd.set_palette(instance, palette));
 }
+PELT_EXPORT(set_crowd_palette)
 
-PELT_EXPORT std::uint32_t pelt_set_crowd_palette(CrowdHandle* handle, std::uint32_t instance) {
-  return done(handle->crowd.set_palette(instance, handle->input));
+Result<void> set_crowd_dual_quaternions(CrowdHandle& handle, std::uint32_t instance,
+                                        std::span<const float> dual_quaternions) {
+  return in_words_of_javascript(handle.crowd.set_dual_quaternions(instance, dual_quaternions));
 }
+PELT_EXPORT(set_crowd_dual_quaternions)
 
-/// JavaScript writes eight floats per joint.
-PELT_EXPORT std::uint32_t pelt_set_crowd_dual_quaternions(CrowdHandle* handle,
-                                                          std::uint32_t instance) {
-  return done(handle->crowd.set_dual_quaternions(instance, handle->input));
+Result<void> set_crowd_morph_weights(CrowdHandle& handle, std::uint32_t instance,
+                                     std::span<const float> weights) {
+  return in_words_of_javascript(handle.crowd.set_morph_weights(instance, weights));
 }
+PELT_EXPORT(set_crowd_morph_weights)
 
-PELT_EXPORT std::uint32_t pelt_set_crowd_weights(CrowdHandle* handle, std::uint32_t instance) {
-  return done(handle->crowd.set_morph_weights(instance, handle->input));
+Result<void> set_crowd_vertices(CrowdHandle& handle, std::uint32_t instance,
+                                std::span<const Vec3> vertices) {
+  return in_words_of_javascript(handle.crowd.set_vertices(instance, vertices));
 }
+PELT_EXPORT(set_crowd_vertices)
 
-/// Returns memory where JavaScript writes the positions or offsets of all vertices of an instance.
-PELT_EXPORT float* pelt_crowd_vertices(CrowdHandle* handle, std::uint32_t instance) {
-  handle->vertices.resize(handle->crowd.model(instance).vertex_count());
-  return &handle->vertices.data()->x;
+/// Without offsets, the instance has none.
+Result<void> set_crowd_offsets(CrowdHandle& handle, std::uint32_t instance,
+                               std::span<const Vec3> offsets) {
+  if (!offsets.empty()) offsets = handle.members[instance].offsets.keep(offsets, handle.step);
+  return in_words_of_javascript(handle.crowd.set_offsets(instance, offsets));
 }
+PELT_EXPORT(set_crowd_offsets)
 
-PELT_EXPORT std::uint32_t pelt_set_crowd_vertices(CrowdHandle* handle, std::uint32_t instance) {
-  return done(handle->crowd.set_vertices(instance, handle->vertices));
-}
-
-PELT_EXPORT std::uint32_t pelt_set_crowd_offsets(CrowdHandle* handle, std::uint32_t instance) {
-  KeptOffsets& offsets = handle->members[instance].offsets;
-  return done(handle->crowd.set_offsets(instance, offsets.keep(handle->vertices, handle->step)));
-}
-
-PELT_EXPORT std::uint32_t pelt_remove_crowd_offsets(CrowdHandle* handle, std::uint32_t instance) {
-  return done(handle->crowd.set_offsets(instance, {}));
-}
-
-/// Answers with the stats, the numbers of ignored contacts and of those that filters have left out,
-/// and all other contacts.
-PELT_EXPORT std::uint32_t pelt_collide_crowd(CrowdHandle* handle, std::uint32_t most) {
-  if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
-  handle->found.clear();
+/// Answers with the number of ignored contacts, and all others.
+Result<CrowdStats> collide_crowd(CrowdHandle& handle, std::uint32_t most) {
+  if (const auto known = know_ignored(handle); !known) return known.error();
+  handle.found.clear();
   CrowdOptions options = self_tests(handle);
   options.max_contacts = most;
   const bool is_limited = most < CrowdOptions().max_contacts;
   const CrowdStats stats =
-      is_limited ? collide_limited(*handle, options) : collide_all(*handle, options);
-  answer_stats(stats);
-  answer_left_out(stats.left_out);
-  answer().ignored = static_cast<double>(take_ignored_out(*handle));
-  answer_data<CrowdContact>(handle->found);
-  return 1;
+      is_limited ? collide_limited(handle, options) : collide_all(handle, options);
+  answer_without_ignored(handle);
+  return stats;
 }
+PELT_EXPORT(collide_crowd)
 
-PELT_EXPORT void pelt_begin_crowd_step(CrowdHandle* handle) {
-  handle->crowd.begin_step();
-  ++handle->step;
+void begin_crowd_step(CrowdHandle& handle) {
+  handle.crowd.begin_step();
+  ++handle.step;
 }
+PELT_EXPORT(begin_crowd_step)
 
-/// The palettes at both ends of the step are in the input, one after the other.
-PELT_EXPORT std::uint32_t pelt_set_crowd_motion(CrowdHandle* handle, std::uint32_t instance) {
-  const std::span<const float> input = handle->input;
-  const std::size_t half = input.size() / 2;
-  handle->members[instance].offsets.start_borrows();
-  return done(handle->crowd.set_motion(instance, input.first(half), input.last(half)));
+Result<void> set_crowd_motion(CrowdHandle& handle, std::uint32_t instance,
+                              std::span<const float> from, std::span<const float> to) {
+  handle.members[instance].offsets.start_borrows();
+  return in_words_of_javascript(handle.crowd.set_motion(instance, from, to));
 }
+PELT_EXPORT(set_crowd_motion)
 
-/// The same for dual quaternions.
-PELT_EXPORT std::uint32_t pelt_set_crowd_dual_motion(CrowdHandle* handle, std::uint32_t instance) {
-  const std::span<const float> input = handle->input;
-  const std::size_t half = input.size() / 2;
-  handle->members[instance].offsets.start_borrows();
-  return done(
-      handle->crowd.set_motion_dual_quaternions(instance, input.first(half), input.last(half)));
+Result<void> set_crowd_motion_dual_quaternions(CrowdHandle& handle, std::uint32_t instance,
+                                               std::span<const float> from,
+                                               std::span<const float> to) {
+  handle.members[instance].offsets.start_borrows();
+  return in_words_of_javascript(handle.crowd.set_motion_dual_quaternions(instance, from, to));
 }
+PELT_EXPORT(set_crowd_motion_dual_quaternions)
 
-/// Answers like pelt_collide_crowd. JavaScript reads the rest with pelt_moving_column.
-PELT_EXPORT std::uint32_t pelt_collide_crowd_moving(CrowdHandle* handle,
-                                                    std::uint32_t leaves_out_start,
-                                                    std::uint32_t has_times, std::uint32_t most) {
-  if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
-  const CrowdStats stats = collide_motions(*handle, {leaves_out_start != 0, has_times != 0, most});
-  answer_stats(stats);
-  answer_left_out(stats.left_out);
-  answer().ignored = static_cast<double>(take_ignored_out(*handle));
-  if (has_times != 0)
-    write_moving_columns(*handle);
-  else
-    clear_moving_columns();
-  answer_data<CrowdContact>(handle->found);
-  return 1;
+/// Answers like collide_crowd, and then with times and features.
+Result<CrowdStats> collide_crowd_moving(CrowdHandle& handle, bool leaves_out_start, bool has_times,
+                                        std::uint32_t most) {
+  if (const auto known = know_ignored(handle); !known) return known.error();
+  const CrowdStats stats = collide_motions(handle, {leaves_out_start, has_times, most});
+  answer_without_ignored(handle);
+  handle.columns = {};
+  if (has_times) write_moving_columns(handle);
+  const auto& [times, at_start, features] = handle.columns;
+  answer_arrays(handle.found, times, at_start, features);
+  return stats;
 }
+PELT_EXPORT(collide_crowd_moving)
 
-/// Answers with the number of ignored contacts, and all others. Precondition: the crowd has these
-/// instances and triangles.
-PELT_EXPORT std::uint32_t pelt_without_ignored(CrowdHandle* handle, const CrowdContact* contacts,
-                                               std::uint32_t count) {
-  if (const auto known = know_ignored(*handle); !known) return refuse(known.error());
-  handle->found.assign(contacts, contacts + count);
-  answer().ignored = static_cast<double>(take_ignored_out(*handle));
-  answer_data<CrowdContact>(handle->found);
-  return 1;
+/// Answers like collide_crowd. Precondition: the crowd has these instances and triangles.
+Result<void> without_ignored(CrowdHandle& handle, std::span<const CrowdContact> contacts) {
+  if (const auto known = know_ignored(handle); !known) return known.error();
+  handle.found.assign(contacts.begin(), contacts.end());
+  answer_without_ignored(handle);
+  return {};
 }
+PELT_EXPORT(without_ignored)
 
-PELT_EXPORT std::uint32_t pelt_make_hash() { return address_of(new detail::Fnv1a64); }
-PELT_EXPORT void pelt_delete_hash(detail::Fnv1a64* hash) { delete hash; }
+detail::Fnv1a64* make_hash() { return new detail::Fnv1a64; }
+PELT_EXPORT(make_hash)
 
-PELT_EXPORT void pelt_hash_pairs(detail::Fnv1a64* hash, std::uint32_t frame, std::uint32_t a,
-                                 std::uint32_t b, const Contact* contacts, std::uint32_t count) {
-  for (const Contact& contact : std::span(contacts, count))
-    add(*hash, frame, {a, b, contact.triangle_a, contact.triangle_b});
+void delete_hash(detail::Fnv1a64* hash) { delete hash; }
+PELT_EXPORT(delete_hash)
+
+void hash_pairs(detail::Fnv1a64& hash, std::uint32_t frame, std::uint32_t a, std::uint32_t b,
+                std::span<const Contact> contacts) {
+  for (const auto& [triangle_a, triangle_b] : contacts)
+    add(hash, frame, {a, b, triangle_a, triangle_b});
 }
+PELT_EXPORT(hash_pairs)
 
-PELT_EXPORT void pelt_hash_crowd(detail::Fnv1a64* hash, std::uint32_t frame,
-                                 const CrowdContact* contacts, std::uint32_t count) {
-  for (const CrowdContact& contact : std::span(contacts, count)) add(*hash, frame, contact);
+void hash_crowd(detail::Fnv1a64& hash, std::uint32_t frame,
+                std::span<const CrowdContact> contacts) {
+  for (const CrowdContact& contact : contacts) add(hash, frame, contact);
 }
+PELT_EXPORT(hash_crowd)
 
-PELT_EXPORT void pelt_hash_value(const detail::Fnv1a64* hash) {
-  answer().hash_high = static_cast<double>(hash->value() >> 32);
-  answer().hash_low = static_cast<double>(hash->value() & 0xFFFFFFFF);
+void hash_value(const detail::Fnv1a64& hash) {
+  answer().hash_high = static_cast<double>(hash.value() >> 32);
+  answer().hash_low = static_cast<double>(hash.value() & 0xFFFFFFFF);
 }
+PELT_EXPORT(hash_value)
 
 }  // namespace pelt::wasm

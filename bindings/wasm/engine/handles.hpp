@@ -42,9 +42,12 @@ struct Character {
   Preparation preparation;
   Body whole;
   std::vector<std::unique_ptr<Body>> parts;  ///< created on first use, like the next member
-  std::vector<std::uint32_t> seams;          ///< see find_seams
+  std::vector<std::uint32_t> seams;          ///< see get_seams
 
   const asset::Asset& asset() const { return read.asset; }
+
+  /// Returns for each vertex the representative of all bit-identical vertices: exporters split
+  /// vertices where a texture has a seam.
   const std::vector<std::uint32_t>& get_seams();
 
   /// Returns the whole character or one part. Returns an error for a part without triangles.
@@ -60,19 +63,13 @@ Result<CharacterHandle> prepare(scenes::Character read, Preparation preparation)
 
 struct PoseHandle {
   PoseHandle(std::shared_ptr<Character> owner, Body& posed)
-      : character(std::move(owner)),
-        body(posed),
-        pose(posed.model),
-        palette(character->asset().joints.size()),
-        morphs(character->asset().morph_targets.size()) {}
+      : character(std::move(owner)), body(posed), pose(posed.model) {}
 
   std::shared_ptr<Character> character;
   Body& body;  ///< of the character
   Pose pose;
-  std::vector<Matrix4> palette;  ///< written by JavaScript before it is set
-  std::vector<float> morphs;
-  std::vector<Vec3> offsets;               ///< written by JavaScript and borrowed by the pose
-  std::vector<Vec3> vertices, normals;     ///< read by JavaScript, which also writes vertices
+  std::vector<Vec3> offsets;               ///< borrowed by the pose
+  std::vector<Vec3> vertices, normals;     ///< read by JavaScript
   std::optional<detail::EagerPose> eager;  ///< for collideEagerly
   std::optional<Pose> whole;               ///< all nodes opened, for nodeBoxes
   bool has_vertices = false;               ///< whether `vertices` is up to date
@@ -87,12 +84,6 @@ struct FilterHandle {
   std::shared_ptr<Character> character;
   SelfFilter filter;
 };
-
-/// Handle of an object for JavaScript.
-template <typename T>
-std::uint32_t address_of(const T* object) {
-  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object));
-}
 
 /// Working memory shared by all queries.
 Scratch& scratch();

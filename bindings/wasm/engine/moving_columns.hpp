@@ -1,18 +1,20 @@
 #pragma once
 
-/// What JavaScript reads about moving contacts beside their triangles, one array after the other.
-
 #include <pelt/motion.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace pelt::wasm {
 
-/// Removes the contacts of the query before.
-void clear_moving_columns();
+/// What JavaScript reads about moving contacts beside their triangles, in the order of motion.mjs.
+struct MovingColumns {
+  std::vector<float> times;
+  std::vector<std::uint8_t> at_start;
+  std::vector<std::uint8_t> features;  ///< [N][4] kind and number of a, then of b
 
-/// Adds times and features, with zeros for what has no meaning. JavaScript reads them with
-/// pelt_moving_column until the next query of motions.
-void add_to_moving_columns(const MovingContact& moving);
+  /// Adds time and features, with zeros for what has no meaning.
+  void add(const MovingContact& moving);
+};
 
 }  // namespace pelt::wasm

@@ -2,6 +2,7 @@
 
 #include "asset/parsed_json.hpp"
 #include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/export.hpp"
 #include "text/message.hpp"
 
 namespace pelt::wasm {
@@ -73,12 +74,13 @@ std::uint32_t Options::count(const char* key, std::uint32_t otherwise) const {
 }
 
 /// Returns the end of a message about an unknown name. `words` has this name, then the known names.
-PELT_EXPORT const char* pelt_suggestion(const char* words) {
+const char* suggestion(std::string_view words) {
   const Result<asset::ParsedJson> parsed = asset::parse_json(words);
   if (!parsed) return "";
   const auto names = (*parsed)->get<std::vector<std::string>>();
   const std::vector<std::string_view> known(names.begin() + 1, names.end());
   return answer_text(text::suggestion(names.front(), known));
 }
+PELT_EXPORT(suggestion)
 
 }  // namespace pelt::wasm

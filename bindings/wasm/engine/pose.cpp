@@ -1,9 +1,11 @@
-/// Poses, and queries of a single pose.
+/// Poses, their vertices and bounds, and boxes of a level of the tree for drawing.
 
 #include <pelt/bounds.hpp>
 
-#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/export.hpp"
 #include "bindings/wasm/engine/handles.hpp"
+#include "bounds/level_boxes.hpp"
+#include "model/model.hpp"
 #include "scenes/smooth_normals.hpp"
 
 namespace pelt::wasm {
@@ -24,96 +26,105 @@ std::span<const Vec3> pose_vertices(PoseHandle& handle) {
   return handle.vertices;
 }
 
+/// The palette or something else has been set, or was refused.
+Result<void> moved(PoseHandle& handle, const Result<void>& set) {
+  handle.moved();
+  return in_words_of_javascript(set);
+}
+
 }  // namespace
 
 /// Creates a pose of a part or of the whole character.
-PELT_EXPORT std::uint32_t pelt_make_pose(const CharacterHandle* handle, std::uint32_t part) {
-  const Result<Body*> body = handle->character->body(part);
-  if (!body) return refuse(body.error());
-  return address_of(new PoseHandle(handle->character, **body));
+Result<PoseHandle*> make_pose(const CharacterHandle& handle, std::uint32_t part) {
+  const Result<Body*> body = handle.character->body(part);
+  if (!body) return body.error();
+  return new PoseHandle(handle.character, **body);
 }
+PELT_EXPORT(make_pose)
 
-PELT_EXPORT void pelt_delete_pose(PoseHandle* handle) { delete handle; }
+void delete_pose(PoseHandle* handle) { delete handle; }
+PELT_EXPORT(delete_pose)
 
-/// Returns memory where JavaScript writes a palette or weights.
-PELT_EXPORT float* pelt_pose_palette(PoseHandle* handle) { return handle->palette[0].m.data(); }
-PELT_EXPORT float* pelt_pose_weights(PoseHandle* handle) { return handle->morphs.data(); }
-
-PELT_EXPORT std::uint32_t pelt_set_palette(PoseHandle* handle) {
-  handle->moved();
-  return done(handle->pose.set_palette(handle->palette));
+Result<void> set_palette(PoseHandle& handle, std::span<const float> palette) {
+  return moved(handle, handle.pose.set_palette(palette));
 }
+PELT_EXPORT(set_palette)
 
-/// JavaScript writes eight floats per joint to the memory of the palette.
-PELT_EXPORT std::uint32_t pelt_set_dual_quaternions(PoseHandle* handle) {
-  handle->moved();
-  const std::size_t count = 8 * handle->palette.size();
-  return done(handle->pose.set_dual_quaternions({handle->palette[0].m.data(), count}));
+Result<void> set_dual_quaternions(PoseHandle& handle, std::span<const float> dual_quaternions) {
+  return moved(handle, handle.pose.set_dual_quaternions(dual_quaternions));
 }
+PELT_EXPORT(set_dual_quaternions)
 
-PELT_EXPORT std::uint32_t pelt_set_morph_weights(PoseHandle* handle) {
-  handle->moved();
-  return done(handle->pose.set_morph_weights(handle->morphs));
+Result<void> set_morph_weights(PoseHandle& handle, std::span<const float> weights) {
+  return moved(handle, handle.pose.set_morph_weights(weights));
 }
+PELT_EXPORT(set_morph_weights)
 
-/// Returns memory where JavaScript writes the positions of all vertices.
-PELT_EXPORT float* pelt_given_vertices(PoseHandle* handle) {
-  handle->has_vertices = false;
-  handle->vertices.resize(handle->pose.model().vertex_count());
-  return &handle->vertices.data()->x;
+Result<void> set_vertices(PoseHandle& handle, std::span<const Vec3> vertices) {
+  Result<void> set = moved(handle, handle.pose.set_vertices(vertices));
+  if (set) handle.vertices.assign(vertices.begin(), vertices.end());
+  handle.has_vertices = static_cast<bool>(set);
+  return set;
 }
+PELT_EXPORT(set_vertices)
 
-PELT_EXPORT std::uint32_t pelt_set_vertices(PoseHandle* handle) {
-  handle->moved();
-  const Result<void> set = handle->pose.set_vertices(handle->vertices);
-  handle->has_vertices = static_cast<bool>(set);
-  return done(set);
+/// Without offsets, the pose has none.
+Result<void> set_offsets(PoseHandle& handle, std::span<const Vec3> offsets) {
+  handle.offsets.assign(offsets.begin(), offsets.end());
+  return moved(handle, handle.pose.set_offsets(handle.offsets));
 }
+PELT_EXPORT(set_offsets)
 
-/// Returns memory where JavaScript writes the offsets of all vertices. The pose may borrow this
-/// memory already, so call pelt_set_offsets before the next query.
-PELT_EXPORT float* pelt_pose_offsets(PoseHandle* handle) {
-  handle->offsets.resize(handle->pose.model().vertex_count());
-  return &handle->offsets.data()->x;
+std::uint32_t check_offsets(const PoseHandle& handle) { return check_offsets(handle.pose); }
+PELT_EXPORT(check_offsets)
+
+void posed_vertices(PoseHandle& handle) { answer_arrays(pose_vertices(handle)); }
+PELT_EXPORT(posed_vertices)
+
+void normals(PoseHandle& handle) {
+  pose_vertices(handle);
+  Character& character = *handle.character;
+  handle.normals.resize(handle.vertices.size());
+  scenes::smooth_normals(handle.vertices, character.asset().triangles, character.get_seams(),
+                         handle.normals);
+  answer_arrays(handle.normals);
 }
+PELT_EXPORT(normals)
 
-PELT_EXPORT std::uint32_t pelt_set_offsets(PoseHandle* handle) {
-  handle->moved();
-  return done(handle->pose.set_offsets(handle->offsets));
-}
-
-PELT_EXPORT std::uint32_t pelt_remove_offsets(PoseHandle* handle) {
-  handle->moved();
-  return done(handle->pose.set_offsets({}));
-}
-
-PELT_EXPORT std::uint32_t pelt_check_offsets(const PoseHandle* handle) {
-  return check_offsets(handle->pose);
-}
-
-PELT_EXPORT void pelt_posed_vertices(PoseHandle* handle) {
-  answer_data<Vec3>(pose_vertices(*handle));
-}
-
-PELT_EXPORT void pelt_normals(PoseHandle* handle) {
-  pose_vertices(*handle);
-  Character& character = *handle->character;
-  handle->normals.resize(handle->vertices.size());
-  scenes::smooth_normals(handle->vertices, character.asset().triangles, character.get_seams(),
-                         handle->normals);
-  answer_data<Vec3>(handle->normals);
-}
-
-PELT_EXPORT void pelt_bounds(PoseHandle* handle, std::uint32_t levels) {
+QueryStats bounds(PoseHandle& handle, std::uint32_t levels) {
   Bounds found;
-  answer_stats(bounds(handle->pose, found, levels));
+  const QueryStats stats = bounds(handle.pose, found, levels);
   answer_bounds(found);
+  return stats;
 }
+PELT_EXPORT(bounds)
 
-PELT_EXPORT void pelt_exact_bounds(PoseHandle* handle) {
+QueryStats exact_bounds(PoseHandle& handle) {
   Bounds found;
-  answer_stats(exact_bounds(handle->pose, found));
+  const QueryStats stats = exact_bounds(handle.pose, found);
   answer_bounds(found);
+  return stats;
 }
+PELT_EXPORT(exact_bounds)
+
+std::uint32_t node_count(const PoseHandle& handle) {
+  return static_cast<std::uint32_t>(handle.pose.model().detail().tree.nodes.size());
+}
+PELT_EXPORT(node_count)
+
+std::uint32_t opened_node_count(const PoseHandle& handle) {
+  return opened_node_count(handle.pose.detail());
+}
+PELT_EXPORT(opened_node_count)
+
+/// Answers with the boxes and their states.
+void node_boxes(PoseHandle& handle, std::uint32_t level) {
+  static detail::LevelBoxes found;
+  if (!handle.whole) handle.whole.emplace(handle.pose.model());
+  copy_with_all_bounds(handle.pose.detail(), handle.whole->detail());
+  level_boxes(handle.pose.detail(), handle.whole->detail(), level, found);
+  answer_arrays(found.boxes, found.states);
+}
+PELT_EXPORT(node_boxes)
 
 }  // namespace pelt::wasm

@@ -1,6 +1,6 @@
 /// Reads scene files like the command.
 
-#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/export.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "bindings/wasm/engine/options.hpp"
 #include "scenes/clip_samples.hpp"
@@ -78,7 +78,7 @@ json describe(const scenes::SelfOptions& self) {
 json describe(const scenes::Scene& scene, std::vector<CharacterHandle> characters) {
   json handles = json::array(), instances = json::array(), ignore = json::array();
   for (CharacterHandle& character : characters)
-    handles.push_back(address_of(new CharacterHandle(std::move(character))));
+    handles.push_back(number_for_javascript(new CharacterHandle(std::move(character))));
   for (const scenes::Instance& instance : scene.instances) instances.push_back(describe(instance));
   for (const scenes::NamePair& pair : scene.ignore) ignore.push_back({pair.a, pair.b});
   return {{"name", scene.name},
@@ -92,20 +92,21 @@ json describe(const scenes::Scene& scene, std::vector<CharacterHandle> character
 
 }  // namespace
 
-/// Returns the scene as JSON with handles of its characters, or null after an error.
-PELT_EXPORT const char* pelt_read_scene(const char* path, const char* options) {
-  const Result<Options> read = Options::read(options);
-  if (!read) return refuse(read.error()), nullptr;
-  Result<scenes::Scene> scene = scenes::load_scene(path, read->gltf());
-  if (!scene) return refuse(scene.error()), nullptr;
-  if (const auto checked = check_ignored(*scene, read->gltf()); !checked)
-    return refuse(checked.error()), nullptr;
-  if (const auto checked = check_clips(*scene); !checked) return refuse(checked.error()), nullptr;
-  Result<std::vector<CharacterHandle>> characters = prepare_all(*scene, *read);
-  if (!characters) return refuse(characters.error()), nullptr;
+/// Returns the scene as JSON with handles of its characters.
+Result<const char*> read_scene(std::string_view path, std::string_view json) {
+  const Result<Options> options = Options::read(json);
+  if (!options) return options.error();
+  Result<scenes::Scene> scene = scenes::load_scene(std::string(path), options->gltf());
+  if (!scene) return scene.error();
+  if (const auto checked = check_ignored(*scene, options->gltf()); !checked) return checked.error();
+  if (const auto checked = check_clips(*scene); !checked) return checked.error();
+  Result<std::vector<CharacterHandle>> characters = prepare_all(*scene, *options);
+  if (!characters) return characters.error();
   return answer_json(describe(*scene, std::move(*characters)));
 }
+PELT_EXPORT(read_scene)
 
-PELT_EXPORT const char* pelt_demo_scene() { return answer_text(std::string(scenes::kDemoScene)); }
+const char* demo_scene() { return answer_text(std::string(scenes::kDemoScene)); }
+PELT_EXPORT(demo_scene)
 
 }  // namespace pelt::wasm

@@ -2,41 +2,14 @@
 
 #include <pelt/self.hpp>
 
-#include "bindings/wasm/engine/answer.hpp"
+#include "bindings/wasm/engine/export.hpp"
 #include "bindings/wasm/engine/handles.hpp"
 #include "scenes/triangle_labels.hpp"
 
-#include <array>
 #include <span>
 
 namespace pelt::wasm {
 namespace {
-
-/// Arrays that JavaScript writes before it makes a filter. Same order as in self.mjs.
-enum FilterArray : std::uint32_t {
-  kTakesPart,
-  kAtRest,  // with the character's triangle numbers, like kAlways
-  kAlways,
-  kJointPairs,
-  kGroups,
-  kGroupPairs,
-  kFilterArrays,
-};
-
-/// The memory of the arrays.
-using FilterInput = std::array<std::vector<std::uint32_t>, kFilterArrays>;
-
-FilterInput& filter_input() {
-  static FilterInput input;
-  return input;
-}
-
-/// The first number of an array is its size in bytes.
-template <typename T>
-std::span<T> elements(std::vector<std::uint32_t>& numbers) {
-  if (numbers.empty()) return {};
-  return {reinterpret_cast<T*>(numbers.data() + 1), numbers[0] / sizeof(T)};
-}
 
 /// Returns the pairs of two triangles of the body, numbered as in its model.
 std::vector<Contact> pairs_in_model(std::span<const Contact> pairs, const Body& body) {
@@ -58,21 +31,31 @@ std::vector<TriangleZone> zones_in_model(std::span<const TriangleZone> zones, co
   return own;
 }
 
+/// Arrays for a filter, in the order of self.mjs. `at_rest` and `always` have the character's
+/// triangle numbers.
+struct FilterArrays {
+  std::span<const std::uint8_t> takes_part;
+  std::span<const Contact> at_rest, always;
+  std::span<const IndexPair> joint_pairs;
+  std::span<const std::uint16_t> groups;
+  std::span<const IndexPair> group_pairs;
+};
+
 Result<SelfFilter> make_filter(const Character& character, const Body& body, std::uint32_t rings,
-                               bool has_near_joints, FilterInput input) {
-  const std::span<const IndexPair> listed = elements<IndexPair>(input[kJointPairs]);
+                               bool has_near_joints, const FilterArrays& arrays) {
   NearJoints near;
   if (has_near_joints) {
     const auto labels = scenes::label_triangles(character.asset());
     if (!labels) return labels.error();
-    near = scenes::near_joints(character.asset(), labels->joint, elements<Contact>(input[kAtRest]));
+    near = scenes::near_joints(character.asset(), labels->joint, arrays.at_rest);
   }
-  near.joint_pairs.insert(near.joint_pairs.end(), listed.begin(), listed.end());
+  near.joint_pairs.insert(near.joint_pairs.end(), arrays.joint_pairs.begin(),
+                          arrays.joint_pairs.end());
   SelfFilterOptions options;
   options.rings = rings;
-  options.takes_part = elements<std::uint8_t>(input[kTakesPart]);
-  const std::vector<Contact> at_rest = pairs_in_model(elements<Contact>(input[kAtRest]), body);
-  const std::vector<Contact> always = pairs_in_model(elements<Contact>(input[kAlways]), body);
+  options.takes_part = arrays.takes_part;
+  const std::vector<Contact> at_rest = pairs_in_model(arrays.at_rest, body);
+  const std::vector<Contact> always = pairs_in_model(arrays.always, body);
   options.at_rest = at_rest;
   options.always = always;
   options.joint_bodies = near.bodies;
@@ -80,70 +63,68 @@ Result<SelfFilter> make_filter(const Character& character, const Body& body, std
   options.joint_pairs_in_zones = near.joint_pairs_in_zones;
   const std::vector<TriangleZone> zones = zones_in_model(near.zones, body);
   options.zones = zones;
-  options.groups = elements<std::uint16_t>(input[kGroups]);
-  options.group_pairs = elements<IndexPair>(input[kGroupPairs]);
+  options.groups = arrays.groups;
+  options.group_pairs = arrays.group_pairs;
   return build_self_filter(body.model, options);
 }
 
 }  // namespace
 
-/// Returns where to write an array of `bytes`.
-PELT_EXPORT void* pelt_self_filter_input(FilterArray array, std::uint32_t bytes) {
-  std::vector<std::uint32_t>& numbers = filter_input()[array];
-  numbers.assign(1 + (bytes + 3) / 4, bytes);
-  return numbers.data() + 1;
-}
-
-/// Makes a filter from the arrays, which are released.
-PELT_EXPORT std::uint32_t pelt_make_self_filter(const CharacterHandle* character,
-                                                std::uint32_t part, std::uint32_t rings,
-                                                std::uint32_t has_near_joints) {
-  FilterInput input = std::exchange(filter_input(), {});
-  const Result<Body*> body = character->character->body(part);
-  if (!body) return refuse(body.error());
+Result<FilterHandle*> make_self_filter(
+    const CharacterHandle& handle, std::uint32_t part, std::uint32_t rings, bool has_near_joints,
+    std::span<const std::uint8_t> takes_part, std::span<const Contact> at_rest,
+    std::span<const Contact> always, std::span<const IndexPair> joint_pairs,
+    std::span<const std::uint16_t> groups, std::span<const IndexPair> group_pairs) {
+  const Result<Body*> body = handle.character->body(part);
+  if (!body) return body.error();
   Result<SelfFilter> filter =
-      make_filter(*character->character, **body, rings, has_near_joints != 0, std::move(input));
-  if (!filter) return refuse(filter.error());
-  return address_of(new FilterHandle{character->character, std::move(*filter)});
+      make_filter(*handle.character, **body, rings, has_near_joints,
+                  {takes_part, at_rest, always, joint_pairs, groups, group_pairs});
+  if (!filter) return filter.error();
+  return new FilterHandle{handle.character, std::move(*filter)};
 }
+PELT_EXPORT(make_self_filter)
 
-PELT_EXPORT void pelt_delete_self_filter(FilterHandle* handle) { delete handle; }
+void delete_self_filter(FilterHandle* handle) { delete handle; }
+PELT_EXPORT(delete_self_filter)
 
 /// Precondition, also of the next function: the filter is of the pose's body.
-PELT_EXPORT void pelt_self_collide(PoseHandle* pose, const FilterHandle* filter,
-                                   std::uint32_t most) {
+SelfStats self_collide(PoseHandle& pose, const FilterHandle& filter, std::uint32_t most) {
   static std::vector<Contact> found;
   found.clear();
-  const SelfStats stats = self_collide(pose->pose, filter->filter, scratch(), found, {most});
-  answer_stats(stats);
-  answer_left_out(stats.left_out);
+  const SelfStats stats = self_collide(pose.pose, filter.filter, scratch(), found, {most});
   for (Contact& contact : found) {
-    contact.triangle_a += pose->body.first_triangle;
-    contact.triangle_b += pose->body.first_triangle;
+    contact.triangle_a += pose.body.first_triangle;
+    contact.triangle_b += pose.body.first_triangle;
   }
-  answer_data<Contact>(found);
+  answer_arrays(found);
+  return stats;
 }
+PELT_EXPORT(self_collide)
 
-PELT_EXPORT std::uint32_t pelt_make_tally() { return address_of(new ContactTally); }
-PELT_EXPORT void pelt_delete_tally(ContactTally* tally) { delete tally; }
+YesNo self_intersects(PoseHandle& pose, const FilterHandle& filter) {
+  return self_intersects(pose.pose, filter.filter, scratch());
+}
+PELT_EXPORT(self_intersects)
+
+ContactTally* make_tally() { return new ContactTally; }
+PELT_EXPORT(make_tally)
+
+void delete_tally(ContactTally* tally) { delete tally; }
+PELT_EXPORT(delete_tally)
 
 /// Precondition: the pairs are ascending, without repetition.
-PELT_EXPORT void pelt_tally_add(ContactTally* tally, const Contact* pairs, std::uint32_t count) {
-  tally->add({pairs, count});
-}
+void tally_add(ContactTally& tally, std::span<const Contact> pairs) { tally.add(pairs); }
+PELT_EXPORT(tally_add)
 
-PELT_EXPORT std::uint32_t pelt_tally_pose_count(const ContactTally* tally) {
-  return tally->pose_count();
-}
+std::uint32_t tally_pose_count(const ContactTally& tally) { return tally.pose_count(); }
+PELT_EXPORT(tally_pose_count)
 
-PELT_EXPORT void pelt_tally_in_share(const ContactTally* tally, double share) {
+void tally_in_share(const ContactTally& tally, double share) {
   static std::vector<Contact> pairs;
-  pairs = tally->in_share_of_poses(share);
-  answer_data<Contact>(pairs);
+  pairs = tally.in_share_of_poses(share);
+  answer_arrays(pairs);
 }
-
-PELT_EXPORT std::uint32_t pelt_self_intersects(PoseHandle* pose, const FilterHandle* filter) {
-  return answer_yes_no(self_intersects(pose->pose, filter->filter, scratch()));
-}
+PELT_EXPORT(tally_in_share)
 
 }  // namespace pelt::wasm

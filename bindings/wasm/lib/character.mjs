@@ -3,7 +3,6 @@ import { clipNumber } from './lookup.mjs';
 import { Pose } from './pose.mjs';
 import { SelfFilter } from './self.mjs';
 
-const kRemove = '_pelt_delete_character';
 const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export class Character {
@@ -12,23 +11,23 @@ export class Character {
 
   constructor(memory, address) {
     this.#memory = memory;
-    const description = memory.json(memory.module._pelt_describe_character(address));
-    memory.handles.own(this, address, kRemove, `character ${description.name}`);
+    const description = memory.json('describe_character', address);
+    memory.handles.own(this, address, 'delete_character', `character ${description.name}`);
     Object.values(description).forEach(Object.freeze);
     Object.assign(this, description);
     Object.freeze(this);
   }
 
   get triangles() {
-    return this.#array('_pelt_triangles', Uint32Array, 3);
+    return this.#array('triangles', Uint32Array);
   }
 
   get restPositions() {
-    return this.#array('_pelt_rest_positions', Float32Array, 3);
+    return this.#array('rest_positions', Float32Array);
   }
 
   get triangleJoints() {
-    return this.#array('_pelt_triangle_joints', Uint16Array, 1);
+    return this.#array('triangle_joints', Uint16Array);
   }
 
   get triangleParts() {
@@ -43,23 +42,20 @@ export class Character {
   }
 
   get extent() {
-    this.#memory.accepted(this.#memory.module._pelt_extent(this.#handle));
-    return { low: this.#memory.field('low'), high: this.#memory.field('high') };
+    this.#memory.call('extent', this);
+    return this.#memory.fields('low', 'high');
   }
 
   palette(clip, seconds, placement = kIdentity, out = undefined) {
-    const { module } = this.#memory;
     const number = this.#clipNumber(clip, seconds);
     check.vector(placement, 16, 'placement');
-    this.#memory.write(Float32Array, module._pelt_placement(), placement, 16, 'placement');
-    module._pelt_sample_palette(this.#handle, number, seconds);
-    return this.#memory.data(Float32Array, 16, out);
+    this.#memory.call('sample_palette', this, number, seconds, Float32Array.from(placement));
+    return this.#memory.array(Float32Array, 0, out);
   }
 
   morphWeights(clip, seconds, out = undefined) {
-    const number = this.#clipNumber(clip, seconds);
-    this.#memory.module._pelt_sample_morph_weights(this.#handle, number, seconds);
-    return this.#memory.data(Float32Array, 1, out);
+    this.#memory.call('sample_morph_weights', this, this.#clipNumber(clip, seconds), seconds);
+    return this.#memory.array(Float32Array, 0, out);
   }
 
   makePose(part = null) {
@@ -74,19 +70,15 @@ export class Character {
     this.#memory.handles.delete(this);
   }
 
-  get #handle() {
-    return this.#memory.handles.of(this);
-  }
-
   #clipNumber(clip, seconds) {
     check.number(seconds, 'seconds');
     return clipNumber(this.#memory, this, clip);
   }
 
-  #array(name, type, width) {
+  #array(name, type) {
     if (!this.#arrays.has(name)) {
-      this.#memory.module[name](this.#handle);
-      this.#arrays.set(name, this.#memory.data(type, width));
+      this.#memory.call(name, this);
+      this.#arrays.set(name, this.#memory.array(type));
     }
     return this.#arrays.get(name);
   }

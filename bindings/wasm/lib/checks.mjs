@@ -92,7 +92,13 @@ export function numbers(value, length, name) {
   throw invalid(`${name}: expected ${length} numbers, found ${value.length}`);
 }
 
-/** The same with finite numbers only. */
+/** The same, and returns them as a `type`. */
+export function typed(value, length, name, type = Float32Array) {
+  const checked = numbers(value, length, name);
+  return checked instanceof type ? checked : type.from(checked);
+}
+
+/** Checks for finite numbers only. */
 export function vector(value, length, name, most = Number.MAX_VALUE) {
   numbers(value, length, name);
   for (let i = 0; i < length; ++i) {

@@ -5,7 +5,6 @@ import { partNumber } from './lookup.mjs';
 import { readMovingColumns, readMovingOptions } from './motion.mjs';
 import { mostContacts } from './queries.mjs';
 import { filterOf, readLeftOut, SelfFilter } from './self.mjs';
-import { readStats } from './stats.mjs';
 
 export class Crowd {
   #memory;
@@ -14,61 +13,44 @@ export class Crowd {
 
   constructor(memory) {
     this.#memory = memory;
-    memory.handles.own(this, memory.module._pelt_make_crowd(), '_pelt_delete_crowd', 'crowd');
+    memory.handles.own(this, memory.call('make_crowd'), 'delete_crowd', 'crowd');
   }
 
   add(character, part = null) {
-    const { module, handles } = this.#memory;
-    const given = handles.given(character, Character, 'character');
+    this.#memory.handles.given(character, Character, 'character');
     const named = partNumber(character, part);
-    this.#memory.accepted(module._pelt_add_to_crowd(this.#handle, given, named));
-    const number = this.#memory.field('instance');
+    const number = this.#memory.call('add_to_crowd', this, character, named);
     this.#members[number] = { character, part };
     return number;
   }
 
   setPalette(instance, palette) {
-    const floats = 16 * this.#member(instance).character.jointCount;
-    this.#write(palette, floats, 'palette');
-    const { module } = this.#memory;
-    this.#memory.accepted(module._pelt_set_crowd_palette(this.#handle, instance));
+    this.#set(instance, 'palette', palette, ({ jointCount }) => 16 * jointCount, 'palette');
   }
 
-  setDualQuaternions(instance, dualQuaternions) {
-    const floats = 8 * this.#member(instance).character.jointCount;
-    this.#write(dualQuaternions, floats, 'dualQuaternions');
-    const { module } = this.#memory;
-    this.#memory.accepted(module._pelt_set_crowd_dual_quaternions(this.#handle, instance));
+  setDualQuaternions(instance, numbers) {
+    const floats = ({ jointCount }) => 8 * jointCount;
+    this.#set(instance, 'dual_quaternions', numbers, floats, 'dualQuaternions');
   }
 
   setMorphWeights(instance, weights) {
-    const { character } = this.#member(instance);
-    this.#write(weights, character.morphTargetNames.length, 'weights');
-    const { module } = this.#memory;
-    this.#memory.accepted(module._pelt_set_crowd_weights(this.#handle, instance));
+    const floats = ({ morphTargetNames }) => morphTargetNames.length;
+    this.#set(instance, 'morph_weights', weights, floats, 'weights');
   }
 
   setVertices(instance, vertices) {
-    this.#writeVertices(instance, vertices, 'vertices');
-    const { module } = this.#memory;
-    this.#memory.accepted(module._pelt_set_crowd_vertices(this.#handle, instance));
+    this.#set(instance, 'vertices', vertices, ({ vertexCount }) => 3 * vertexCount, 'vertices');
   }
 
   setOffsets(instance, offsets) {
-    const { module } = this.#memory;
-    if (offsets === null) {
-      this.#member(instance);
-      this.#memory.accepted(module._pelt_remove_crowd_offsets(this.#handle, instance));
-      return;
-    }
-    this.#writeVertices(instance, offsets, 'offsets');
-    this.#memory.accepted(module._pelt_set_crowd_offsets(this.#handle, instance));
+    const floats = ({ vertexCount }) => (offsets === null ? 0 : 3 * vertexCount);
+    this.#set(instance, 'offsets', offsets === null ? [] : offsets, floats, 'offsets');
   }
 
   setSelfFilter(instance, filter) {
     const { character, part } = this.#member(instance);
-    const given = filter === null ? 0 : filterOf(this.#memory, filter, character, part);
-    this.#memory.module._pelt_set_crowd_self_filter(this.#handle, instance, given);
+    if (filter !== null) filterOf(this.#memory, filter, character, part);
+    this.#memory.call('set_crowd_self_filter', this, instance, filter);
   }
 
   filterParts(instances, filter) {
@@ -79,70 +61,53 @@ export class Crowd {
       filterOf(this.#memory, filter, character, null);
       if (part === null) throw invalid(`instances[${i}]: expected a part, found a whole character`);
     });
-    const { module, handles } = this.#memory;
-    const number = module._pelt_add_crowd_part_filter(this.#handle, handles.of(filter));
+    const number = this.#memory.call('add_crowd_part_filter', this, filter);
     for (const instance of instances) {
-      module._pelt_set_crowd_part_filter(this.#handle, instance, number);
+      this.#memory.call('set_crowd_part_filter', this, instance, number);
     }
   }
 
   ignore(pairs) {
     const names = JSON.stringify(check.namePairs(pairs, 'ignore'));
-    const { module } = this.#memory;
-    this.#memory.withText(names, (json) =>
-      this.#memory.accepted(module._pelt_ignore_in_crowd(this.#handle, json)),
-    );
+    this.#memory.call('ignore_in_crowd', this, names);
     this.#ignores = pairs.length > 0;
   }
 
   collide(options = undefined) {
     const most = mostContacts(this.#memory, options);
     this.#checkLimit(most);
-    this.#memory.accepted(this.#memory.module._pelt_collide_crowd(this.#handle, most));
+    this.#memory.call('collide_crowd', this, most);
     return this.#readContacts();
   }
 
   beginStep() {
-    this.#memory.module._pelt_begin_crowd_step(this.#handle);
+    this.#memory.call('begin_crowd_step', this);
   }
 
   setMotion(instance, from, to) {
-    this.#writeMotion(instance, from, to, 16);
-    const { module } = this.#memory;
-    this.#memory.accepted(module._pelt_set_crowd_motion(this.#handle, instance));
+    this.#setMotion(instance, 'motion', from, to, 16);
   }
 
   setMotionDualQuaternions(instance, from, to) {
-    this.#writeMotion(instance, from, to, 8);
-    const { module } = this.#memory;
-    this.#memory.accepted(module._pelt_set_crowd_dual_motion(this.#handle, instance));
+    this.#setMotion(instance, 'motion_dual_quaternions', from, to, 8);
   }
 
   collideMoving(options = undefined) {
     const read = readMovingOptions(this.#memory, options);
     this.#checkLimit(read.at(-1));
-    this.#memory.accepted(this.#memory.module._pelt_collide_crowd_moving(this.#handle, ...read));
+    this.#memory.call('collide_crowd_moving', this, ...read);
     const { count, contacts, ...rest } = this.#readContacts();
     return { count, contacts, ...readMovingColumns(this.#memory), ...rest };
   }
 
   withoutIgnored(contacts) {
     check.rows(contacts, 4, 'contacts').forEach((number, i) => this.#checkNumber(contacts, number, i));
-    const { module } = this.#memory;
-    this.#memory.withBytes(contacts, (address) =>
-      this.#memory.accepted(
-        module._pelt_without_ignored(this.#handle, address, contacts.length / 4),
-      ),
-    );
-    return { contacts: this.#memory.data(Uint32Array, 4), ignored: this.#memory.field('ignored') };
+    this.#memory.call('without_ignored', this, contacts);
+    return { contacts: this.#memory.array(Uint32Array), ...this.#memory.fields('ignored') };
   }
 
   delete() {
     this.#memory.handles.delete(this);
-  }
-
-  get #handle() {
-    return this.#memory.handles.of(this);
   }
 
   #checkLimit(most) {
@@ -153,13 +118,13 @@ export class Crowd {
   }
 
   #readContacts() {
-    const contacts = this.#memory.data(Uint32Array, 4);
+    const contacts = this.#memory.array(Uint32Array);
     return {
       count: contacts.length / 4,
       contacts,
-      ignored: this.#memory.field('ignored'),
+      ...this.#memory.fields('ignored'),
       leftOut: readLeftOut(this.#memory),
-      stats: readStats(this.#memory),
+      stats: this.#memory.stats(),
     };
   }
 
@@ -176,23 +141,17 @@ export class Crowd {
     throw invalid(`instance: the crowd has no instance ${instance}`);
   }
 
-  /** Writes palettes with `width` floats per joint, one after the other. */
-  #writeMotion(instance, from, to, width) {
+  #set(instance, what, numbers, floatsOf, name) {
+    const floats = floatsOf(this.#member(instance).character);
+    const typed = check.typed(numbers, floats, name);
+    this.#memory.call(`set_crowd_${what}`, this, instance, typed);
+  }
+
+  /** Both palettes have `width` floats per joint. */
+  #setMotion(instance, what, from, to, width) {
     const floats = width * this.#member(instance).character.jointCount;
-    const address = this.#memory.module._pelt_crowd_input(this.#handle, 2 * floats);
-    this.#memory.write(Float32Array, address, from, floats, 'from');
-    this.#memory.write(Float32Array, address + 4 * floats, to, floats, 'to');
-  }
-
-  #writeVertices(instance, numbers, name) {
-    const floats = 3 * this.#member(instance).character.vertexCount;
-    const address = this.#memory.module._pelt_crowd_vertices(this.#handle, instance);
-    this.#memory.write(Float32Array, address, numbers, floats, name);
-  }
-
-  #write(numbers, floats, name) {
-    const address = this.#memory.module._pelt_crowd_input(this.#handle, floats);
-    this.#memory.write(Float32Array, address, numbers, floats, name);
+    const ends = [check.typed(from, floats, 'from'), check.typed(to, floats, 'to')];
+    this.#memory.call(`set_crowd_${what}`, this, instance, ...ends);
   }
 }
 
@@ -201,34 +160,26 @@ export class ContactHash {
 
   constructor(memory) {
     this.#memory = memory;
-    memory.handles.own(this, memory.module._pelt_make_hash(), '_pelt_delete_hash', 'hash');
+    memory.handles.own(this, memory.call('make_hash'), 'delete_hash', 'hash');
   }
 
   add(frame, a, b, pairs) {
     const before = [check.count(frame, 'frame'), check.count(a, 'a'), check.count(b, 'b')];
-    this.#memory.withBytes(check.rows(pairs, 2, 'pairs'), (address) =>
-      this.#memory.module._pelt_hash_pairs(this.#handle, ...before, address, pairs.length / 2),
-    );
+    this.#memory.call('hash_pairs', this, ...before, check.rows(pairs, 2, 'pairs'));
   }
 
   addCrowd(frame, contacts) {
     check.count(frame, 'frame');
-    this.#memory.withBytes(check.rows(contacts, 4, 'contacts'), (address) =>
-      this.#memory.module._pelt_hash_crowd(this.#handle, frame, address, contacts.length / 4),
-    );
+    this.#memory.call('hash_crowd', this, frame, check.rows(contacts, 4, 'contacts'));
   }
 
   get value() {
-    this.#memory.module._pelt_hash_value(this.#handle);
+    this.#memory.call('hash_value', this);
     const hex = (number) => number.toString(16).padStart(8, '0');
     return hex(this.#memory.field('hashHigh')) + hex(this.#memory.field('hashLow'));
   }
 
   delete() {
     this.#memory.handles.delete(this);
-  }
-
-  get #handle() {
-    return this.#memory.handles.of(this);
   }
 }

@@ -1,4 +1,4 @@
-/** Files in memory, for code that opens files by name. */
+/** What the engine needs to read a file beside its bytes: the files that it names, and a decoder. */
 
 import * as check from './checks.mjs';
 import { invalid, PeltError } from './errors.mjs';
@@ -77,4 +77,29 @@ export function withFiles(memory, files, use) {
       remove(fs, kFolder);
     }
   });
+}
+
+/**
+ * Calls `use()` with `decode` as the engine's decoder of EXT_meshopt_compression. It may throw nothing
+ * into the engine: what it throws is returned as text for the message, and becomes the cause of the
+ * error that follows.
+ */
+export function withDecoder(memory, decode, use) {
+  if (decode === undefined) return memory.withDecoder(undefined, use);
+  let cause;
+  const decodeOrTell = (...values) => {
+    try {
+      if (typeof decode(...values)?.then !== 'function') return '';
+      throw new TypeError('it returned a promise: a decoder must be synchronous');
+    } catch (error) {
+      cause = error;
+      return error instanceof Error ? error.message : String(error);
+    }
+  };
+  try {
+    return memory.withDecoder(decodeOrTell, use);
+  } catch (error) {
+    if (cause !== undefined) error.cause ??= cause;
+    throw error;
+  }
 }

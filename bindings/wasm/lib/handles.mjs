@@ -4,14 +4,12 @@ import { kindOf } from './checks.mjs';
 import { invalid } from './errors.mjs';
 
 export class Handles {
-  #gate;
-  #calls;
+  #memory;
   #held = new WeakMap();
   #graves = new FinalizationRegistry((grave) => this.#remove(grave));
 
-  constructor(gate, calls) {
-    this.#gate = gate;
-    this.#calls = calls;
+  constructor(memory) {
+    this.#memory = memory;
   }
 
   /** Makes `owner` the owner of an object, which is freed when `owner` is deleted or collected. */
@@ -27,13 +25,14 @@ export class Handles {
     return address;
   }
 
-  /** The same for an argument, which must be a `type` of this engine. */
+  /** Checks an argument, which must be a `type` of this engine that is not deleted. Returns it. */
   given(object, type, argument) {
     if (!(object instanceof type)) {
       throw invalid(`${argument}: expected a ${type.name}, found ${kindOf(object)}`);
     }
     if (!this.#held.has(object)) throw invalid(`${argument}: it belongs to another engine`);
-    return this.of(object);
+    this.of(object);
+    return object;
   }
 
   delete(owner) {
@@ -46,6 +45,6 @@ export class Handles {
 
   /** Forgets all objects, which have ended with the engine. */
   #remove({ address, remove }) {
-    if (!this.#gate.hasEnded) this.#calls[remove](address);
+    if (!this.#memory.hasEnded) this.#memory.call(remove, address);
   }
 }

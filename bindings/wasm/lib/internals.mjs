@@ -1,4 +1,4 @@
-/** Internals for Pelt's own tests; the package does not export them. */
+/** What the package does not export: the memory of an engine, and internals for Pelt's own tests. */
 
 const memories = new WeakMap();
 
@@ -6,7 +6,11 @@ export function expose(pelt, memory) {
   memories.set(pelt, memory);
 }
 
+export function memoryOf(pelt) {
+  return memories.get(pelt);
+}
+
 /** Returns the heap memory of all objects that are not deleted. */
 export function bytesInUse(pelt) {
-  return memories.get(pelt).module._pelt_bytes_in_use();
+  return memoryOf(pelt).call('bytes_in_use');
 }

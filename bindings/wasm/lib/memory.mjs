@@ -1,15 +1,17 @@
 /**
- * Access to the engine's memory from JavaScript: numbers, arrays and texts. The engine may move its
- * memory when the memory grows, so views of it are created for each access and never stored.
+ * The one way into the engine: calls, with what they take and answer (export.hpp and answer.hpp).
+ * The engine may move its memory when the memory grows, so views of it are created for each access
+ * and never stored.
  */
 
-import * as check from './checks.mjs';
 import { invalid, PeltError } from './errors.mjs';
-import { Gate } from './gate.mjs';
 import { Handles } from './handles.mjs';
 
 /** Limit of Emscripten: half of the 32-bit address space. */
 const kMaxBytes = 2 ** 31;
+
+/** Arguments are written first, and copies of small arrays and texts behind them. */
+const kMaxArguments = 32;
 
 const kHeap = new Map([
   [Uint8Array, 'HEAPU8'],
@@ -19,19 +21,93 @@ const kHeap = new Map([
   [Float64Array, 'HEAPF64'],
 ]);
 
+const kOpen = 0;
+const kInside = 1;
+const kEnded = 2;
+
+const kRemedy = 'load a new one with loadPelt()';
+
 export class Memory {
   #engine;
-  #answer;
   #layout;
+  #state = kOpen;
+  #reason = '';
+  #unused = 0; // where the next copy may be written
 
   constructor(engine) {
     this.#engine = engine;
-    this.gate = new Gate(engine);
-    /** Functions of the engine, called through the gate. */
-    this.module = this.gate.calls();
-    this.handles = new Handles(this.gate, this.module);
-    this.#answer = this.module._pelt_answer();
-    this.#layout = this.json(this.module._pelt_answer_layout());
+    this.handles = new Handles(this);
+    this.#layout = JSON.parse(engine.UTF8ToString(this.#enter('_pelt_layout')));
+  }
+
+  /**
+   * Calls a function of the engine, and returns the number that it returns, or throws its error. An
+   * object of the engine is passed as its handle, a text or a typed array as a copy.
+   */
+  call(name, ...values) {
+    this.requireOpen();
+    this.#unused = this.#layout.input + 8 * kMaxArguments;
+    const allocated = [];
+    try {
+      const numbers = values.flatMap((value) => this.#numbersOf(value, allocated));
+      this.view(Float64Array, this.#layout.input, numbers.length).set(numbers);
+      const result = this.#enter(`_pelt_${name}`);
+      if (!Number.isNaN(result)) return result;
+    } finally {
+      if (!this.hasEnded) allocated.forEach((address) => this.#enter('_free', address));
+    }
+    const { code, message } = JSON.parse(this.#engine.UTF8ToString(this.#enter('_pelt_error')));
+    throw new PeltError(code, message);
+  }
+
+  /** The same for a function that returns a text. */
+  text(name, ...values) {
+    return this.#engine.UTF8ToString(this.call(name, ...values));
+  }
+
+  json(name, ...values) {
+    return JSON.parse(this.text(name, ...values));
+  }
+
+  /** Returns a field of the answer of the last call: a number, or an array of three. */
+  field(name) {
+    const [offset, doubles] = this.#layout.fields[name];
+    const numbers = this.view(Float64Array, this.#layout.answer + offset, doubles);
+    return doubles === 1 ? numbers[0] : Array.from(numbers);
+  }
+
+  /** Returns the fields of these names as an object. */
+  fields(...names) {
+    return Object.fromEntries(names.map((name) => [name, this.field(name)]));
+  }
+
+  /** The work of the last query. */
+  stats() {
+    return {
+      ...this.fields('nodePairs', 'refits', 'posedVertices', 'trianglePairs'),
+      ...this.fields('displacements', 'clampedOffsets'),
+      cutShort: this.field('cutShort') !== 0,
+    };
+  }
+
+  /** Returns an array of the answer of the last call; in `out`, if given. */
+  array(type, index = 0, out = undefined) {
+    const place = this.#layout.answer + this.#layout.arrays + 8 * index;
+    const [address, bytes] = this.view(Uint32Array, place, 2);
+    const length = bytes / type.BYTES_PER_ELEMENT;
+    const copy = out === undefined ? new type(length) : out;
+    if (!(copy instanceof type) || copy.length !== length) {
+      throw invalid(`out: expected a ${type.name} of ${length} elements`);
+    }
+    if (length > 0) copy.set(this.view(type, address, length));
+    return copy;
+  }
+
+  /** Returns arrays as an object. `columns` has their names and types. */
+  arrays(columns, first = 0) {
+    return Object.fromEntries(
+      columns.map(([name, type], column) => [name, this.array(type, first + column)]),
+    );
   }
 
   /** Returns a view of `length` elements, valid until the next call of the engine. */
@@ -41,67 +117,15 @@ export class Memory {
     return heap.subarray(first, first + length);
   }
 
-  /** Returns a field of the answer of the last call (answer.hpp): a number, or an array of three. */
-  field(name) {
-    const [offset, doubles] = this.#layout.fields[name];
-    const address = this.#answer + offset;
-    if (doubles === 1) return this.#engine.HEAPF64[address / 8];
-    return Array.from(this.view(Float64Array, address, doubles));
-  }
-
-  /** Returns the answer of the last call with `width` numbers per element; in `out`, if given. */
-  data(type, width, out) {
-    const [address, count] = this.view(Uint32Array, this.#answer + this.#layout.data, 2);
-    return this.copy(type, address, count * width, out);
-  }
-
-  copy(type, address, length, out = new type(length)) {
-    if (!(out instanceof type) || out.length !== length) {
-      throw invalid(`out: expected a ${type.name} of ${length} elements`);
-    }
-    if (length > 0) out.set(this.view(type, address, length));
-    return out;
-  }
-
-  /** Writes numbers to the memory where the engine expects them. */
-  write(type, address, numbers, length, name) {
-    check.numbers(numbers, length, name);
-    if (length > 0) this.view(type, address, length).set(numbers);
-  }
-
-  text(address) {
-    return this.#engine.UTF8ToString(address);
-  }
-
-  json(address) {
-    return JSON.parse(this.text(address));
-  }
-
-  /** Calls `use(address)` while the bytes of a typed array are in the engine's memory. */
-  withBytes({ buffer, byteOffset, byteLength }, use) {
-    const address = this.#allocate(byteLength);
-    const bytes = new Uint8Array(buffer, byteOffset, byteLength);
-    this.view(Uint8Array, address, byteLength).set(bytes);
-    try {
-      return use(address);
-    } finally {
-      if (!this.gate.hasEnded) this.module._free(address);
-    }
-  }
-
-  withText(text, use) {
-    return this.withBytes(new TextEncoder().encode(`${text}\0`), use);
-  }
-
   /** Calls `use(files)` with the file system that the engine reads. */
   withFileSystem(use) {
-    this.gate.requireOpen();
+    this.requireOpen();
     return use(this.#engine.FS);
   }
 
   /** Calls `use()`, in which the engine may call `decode` (meshopt_decoder.cpp). */
   withDecoder(decode, use) {
-    this.gate.requireOpen();
+    this.requireOpen();
     this.#engine.meshoptDecode = decode;
     try {
       return use();
@@ -110,26 +134,81 @@ export class Memory {
     }
   }
 
-  /** Returns the result of the engine, or throws its error. */
-  accepted(result) {
-    if (result) return result;
-    const { code, message } = this.json(this.module._pelt_error());
-    throw new PeltError(code, message);
-  }
-
   /** Returns the end of a message about an unknown name. */
   suggestion(name, known) {
-    const words = JSON.stringify([name, ...known]);
-    return this.withText(words, (address) => this.text(this.module._pelt_suggestion(address)));
+    return this.text('suggestion', JSON.stringify([name, ...known]));
+  }
+
+  get hasEnded() {
+    return this.#state === kEnded;
+  }
+
+  /** Throws if a call would throw. */
+  requireOpen() {
+    if (this.#state === kInside) throw invalid('the engine is busy: meshoptDecode must not call it');
+    if (this.#state === kEnded) {
+      throw new PeltError('engine_ended', `the engine has ended because it ${this.#reason}: ${kRemedy}`);
+    }
+  }
+
+  #numbersOf(value, allocated) {
+    if (typeof value === 'number') return value;
+    if (typeof value === 'boolean') return value ? 1 : 0;
+    if (value === null) return 0;
+    if (typeof value === 'string') return this.#copy(new TextEncoder().encode(value), allocated);
+    if (ArrayBuffer.isView(value)) return this.#copy(value, allocated);
+    return this.handles.of(value);
+  }
+
+  /** Returns the address of a copy, and its length in bytes. */
+  #copy({ buffer, byteOffset, byteLength }, allocated) {
+    let address = this.#unused;
+    if (address + byteLength > this.#layout.input + this.#layout.inputBytes) {
+      address = this.#allocate(byteLength);
+      allocated.push(address);
+    } else {
+      this.#unused += 8 * Math.ceil(byteLength / 8);
+    }
+    this.view(Uint8Array, address, byteLength).set(new Uint8Array(buffer, byteOffset, byteLength));
+    return [address, byteLength];
   }
 
   #allocate(bytes) {
-    const address = bytes < kMaxBytes ? this.module._malloc(Math.max(bytes, 1)) : 0;
+    const address = bytes < kMaxBytes ? this.#enter('_malloc', bytes) : 0;
     if (address !== 0) return address;
     throw new PeltError(
       'out_of_memory',
       `${bytes} bytes do not fit into the engine's memory, which has 2 GB at most: delete() what ` +
         'is not needed any longer, or load another engine',
+    );
+  }
+
+  /**
+   * C++ that runs out of memory leaves by an exception and cleans nothing up; what the engine holds
+   * may be half changed then. So whatever leaves a call that way ends the engine, and nothing enters
+   * it any more.
+   */
+  #enter(name, ...numbers) {
+    this.#state = kInside;
+    try {
+      const result = this.#engine[name](...numbers);
+      this.#state = kOpen;
+      return result;
+    } catch (error) {
+      throw this.#end(error);
+    }
+  }
+
+  /** C++ exceptions are numbers here. Only the standard library throws, if memory runs out. */
+  #end(error) {
+    const isMemory = typeof error === 'number';
+    this.#state = kEnded;
+    this.#reason = isMemory ? 'ran out of memory' : `failed (${error})`;
+    const advice = isMemory ? ', and delete() what is not needed any longer' : '';
+    return new PeltError(
+      isMemory ? 'out_of_memory' : 'engine_ended',
+      `the engine ${this.#reason} and has ended: ${kRemedy}${advice}`,
+      error,
     );
   }
 }

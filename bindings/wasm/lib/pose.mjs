@@ -1,166 +1,203 @@
-import * as check from './checks.mjs';
-import { closestPoint, sideOf } from './distances.mjs';
-import { partNumber } from './lookup.mjs';
-import { cast, castAll, castAny } from './rays.mjs';
-import { classify, findTriangles, intersectsRegion } from './solids.mjs';
-import { readStats } from './stats.mjs';
+/** Poses, and queries of a single pose. */
 
-const kRemove = '_pelt_delete_pose';
+import * as check from './checks.mjs';
+import { invalid } from './errors.mjs';
+import { partNumber } from './lookup.mjs';
+import { readOptions } from './options.mjs';
+import { kPlacements, numbersOfRegion } from './regions.mjs';
 
 export const NodeState = Object.freeze({ untouched: 0, refitted: 1, opened: 2 });
+
+/** Numbered as in ray.hpp and inside.hpp. */
+const kFacings = ['both', 'front', 'back'];
+const kSides = ['outside', 'on', 'inside'];
+
+/** Largest coordinate that queries accept. */
+const kMaxCoordinate = 2 ** 60;
+
+const parameter = (value, name) => check.number(value, name, -Infinity, Infinity);
+const kRayRules = {
+  minT: parameter,
+  maxT: parameter,
+  facing: (value, name) => check.oneOf(value, kFacings, name),
+};
+const kClosestRules = { maxDistance: (value, name) => check.number(value, name, 0, Infinity) };
+
+/** Returns the points of the answer (distances.cpp). */
+export function readPoints(memory) {
+  const rows = memory.array(Float64Array);
+  const points = [];
+  for (let i = 0; i < rows.length; i += 7) {
+    const [triangle, ...rest] = rows.subarray(i, i + 7);
+    points.push({ triangle, position: rest.slice(0, 3), weights: rest.slice(3) });
+  }
+  return points;
+}
+
+/** Returns the hits of the answer (rays_and_regions.cpp). */
+function readHits(memory) {
+  const rows = memory.array(Float64Array);
+  const hits = [];
+  for (let i = 0; i < rows.length; i += 8) {
+    const [triangle, t, ...rest] = rows.subarray(i, i + 8);
+    hits.push({ triangle, t, weights: rest.slice(0, 3), normal: rest.slice(3) });
+  }
+  return hits;
+}
+
+export function requireClosed(pose) {
+  if (!pose.isClosed) {
+    throw invalid(`the surface of ${pose.character.name} is not closed: it has no inside`);
+  }
+}
 
 export class Pose {
   #memory;
 
   constructor(memory, character, part) {
     this.#memory = memory;
-    const made = memory.module._pelt_make_pose(
-      memory.handles.of(character),
-      partNumber(character, part),
-    );
-    memory.handles.own(this, memory.accepted(made), kRemove, `pose of ${character.name}`);
+    const made = memory.call('make_pose', character, partNumber(character, part));
+    memory.handles.own(this, made, 'delete_pose', `pose of ${character.name}`);
     this.character = character;
     this.part = part;
     Object.freeze(this);
   }
 
   setPalette(palette) {
-    const { module } = this.#memory;
-    const floats = 16 * this.character.jointCount;
-    const address = module._pelt_pose_palette(this.#handle);
-    this.#memory.write(Float32Array, address, palette, floats, 'palette');
-    this.#memory.accepted(module._pelt_set_palette(this.#handle));
+    this.#set('palette', palette, 16 * this.character.jointCount, 'palette');
   }
 
-  setDualQuaternions(dualQuaternions) {
-    const { module } = this.#memory;
-    const floats = 8 * this.character.jointCount;
-    const address = module._pelt_pose_palette(this.#handle);
-    this.#memory.write(Float32Array, address, dualQuaternions, floats, 'dualQuaternions');
-    this.#memory.accepted(module._pelt_set_dual_quaternions(this.#handle));
+  setDualQuaternions(numbers) {
+    this.#set('dual_quaternions', numbers, 8 * this.character.jointCount, 'dualQuaternions');
   }
 
   setMorphWeights(weights) {
-    const { module } = this.#memory;
-    const floats = this.character.morphTargetNames.length;
-    const address = module._pelt_pose_weights(this.#handle);
-    this.#memory.write(Float32Array, address, weights, floats, 'weights');
-    this.#memory.accepted(module._pelt_set_morph_weights(this.#handle));
+    this.#set('morph_weights', weights, this.character.morphTargetNames.length, 'weights');
   }
 
   setVertices(vertices) {
-    const { module } = this.#memory;
-    const address = module._pelt_given_vertices(this.#handle);
-    this.#memory.write(Float32Array, address, vertices, 3 * this.character.vertexCount, 'vertices');
-    this.#memory.accepted(module._pelt_set_vertices(this.#handle));
+    this.#set('vertices', vertices, 3 * this.character.vertexCount, 'vertices');
   }
 
   setOffsets(offsets) {
-    const { module } = this.#memory;
-    if (offsets === null) {
-      this.#memory.accepted(module._pelt_remove_offsets(this.#handle));
-      return;
-    }
-    const address = module._pelt_pose_offsets(this.#handle);
-    this.#memory.write(Float32Array, address, offsets, 3 * this.character.vertexCount, 'offsets');
-    this.#memory.accepted(module._pelt_set_offsets(this.#handle));
+    const floats = offsets === null ? 0 : 3 * this.character.vertexCount;
+    this.#set('offsets', offsets === null ? [] : offsets, floats, 'offsets');
   }
 
   checkOffsets() {
-    return this.#memory.module._pelt_check_offsets(this.#handle);
+    return this.#memory.call('check_offsets', this);
   }
 
   posedVertices(out = undefined) {
-    this.#memory.module._pelt_posed_vertices(this.#handle);
-    return this.#memory.data(Float32Array, 3, out);
+    this.#memory.call('posed_vertices', this);
+    return this.#memory.array(Float32Array, 0, out);
   }
 
   normals(out = undefined) {
-    this.#memory.module._pelt_normals(this.#handle);
-    return this.#memory.data(Float32Array, 3, out);
+    this.#memory.call('normals', this);
+    return this.#memory.array(Float32Array, 0, out);
   }
 
   openAll() {
-    this.#memory.module._pelt_open_all(this.#handle);
-    return readStats(this.#memory);
+    this.#memory.call('open_all', this);
+    return this.#memory.stats();
   }
 
   bounds(levels = 0) {
-    this.#memory.module._pelt_bounds(this.#handle, check.count(levels, 'levels'));
+    this.#memory.call('bounds', this, check.count(levels, 'levels'));
     return this.#bounds();
   }
 
   exactBounds() {
-    this.#memory.module._pelt_exact_bounds(this.#handle);
+    this.#memory.call('exact_bounds', this);
     return this.#bounds();
   }
 
   get nodeCount() {
-    return this.#memory.module._pelt_node_count(this.#handle);
+    return this.#memory.call('node_count', this);
   }
 
   get openedNodeCount() {
-    return this.#memory.module._pelt_opened_node_count(this.#handle);
+    return this.#memory.call('opened_node_count', this);
   }
 
   nodeBoxes(level) {
-    check.count(level, 'level');
-    const states = this.#memory.module._pelt_node_boxes(this.#handle, level);
-    const boxes = this.#memory.data(Float32Array, 1);
-    const count = boxes.length / 6;
-    return { count, boxes, states: this.#memory.copy(Uint8Array, states, count) };
+    this.#memory.call('node_boxes', this, check.count(level, 'level'));
+    const boxes = this.#memory.array(Float32Array, 0);
+    return { count: boxes.length / 6, boxes, states: this.#memory.array(Uint8Array, 1) };
   }
 
   get isClosed() {
-    return this.#memory.module._pelt_is_closed(this.#handle) !== 0;
+    return this.#memory.call('is_closed', this) !== 0;
   }
 
   cast(origin, direction, options = undefined) {
-    return cast(this.#memory, this.#handle, origin, direction, options);
+    return this.#cast('cast', origin, direction, options) ? readHits(this.#memory)[0] : null;
   }
 
   castAny(origin, direction, options = undefined) {
-    return castAny(this.#memory, this.#handle, origin, direction, options);
+    return this.#cast('cast_any', origin, direction, options) !== 0;
   }
 
   castAll(origin, direction, options = undefined) {
-    return castAll(this.#memory, this.#handle, origin, direction, options);
+    this.#cast('cast_all', origin, direction, options);
+    return readHits(this.#memory);
   }
 
   classify(region) {
-    return classify(this.#memory, this.#handle, region);
+    return kPlacements[this.#ofRegion('classify', region)];
   }
 
   intersectsRegion(region) {
-    return intersectsRegion(this.#memory, this.#handle, region);
+    return this.#ofRegion('intersects_region', region) !== 0;
   }
 
   findTriangles(region) {
-    return findTriangles(this.#memory, this.#handle, region);
+    this.#ofRegion('find_triangles', region);
+    return {
+      intersecting: this.#memory.array(Uint32Array, 0),
+      inside: this.#memory.array(Uint32Array, 1),
+      stats: this.#memory.stats(),
+    };
   }
 
   closestPoint(point, options = undefined) {
-    return closestPoint(this.#memory, this.#handle, point, options);
+    const { maxDistance = Infinity } = readOptions(this.#memory, options, kClosestRules);
+    const xyz = check.vector(point, 3, 'point', kMaxCoordinate);
+    if (!this.#memory.call('closest_point', this, ...xyz, maxDistance)) return null;
+    const [closest] = readPoints(this.#memory);
+    return { ...this.#memory.fields('distance'), ...closest, stats: this.#memory.stats() };
   }
 
   sideOf(point) {
-    return sideOf(this.#memory, this.#handle, this, point);
+    const xyz = check.vector(point, 3, 'point', kMaxCoordinate);
+    requireClosed(this);
+    return kSides[this.#memory.call('side_of', this, ...xyz)];
   }
 
   delete() {
     this.#memory.handles.delete(this);
   }
 
-  get #handle() {
-    return this.#memory.handles.of(this);
+  #set(what, numbers, floats, name) {
+    this.#memory.call(`set_${what}`, this, check.typed(numbers, floats, name));
   }
 
   #bounds() {
-    const memory = this.#memory;
-    return {
-      box: { low: memory.field('low'), high: memory.field('high') },
-      centre: memory.field('centre'),
-      radius: memory.field('radius'),
-    };
+    return { box: this.#memory.fields('low', 'high'), ...this.#memory.fields('centre', 'radius') };
+  }
+
+  /** Calls a query of a ray. */
+  #cast(query, origin, direction, options) {
+    const given = readOptions(this.#memory, options, kRayRules);
+    const { minT = 0, maxT = Infinity, facing = 'both' } = given;
+    check.vector(origin, 3, 'origin', check.kMaxFloat);
+    check.vector(direction, 3, 'direction', check.kMaxFloat);
+    const ray = Float32Array.of(...origin, ...direction, minT, maxT);
+    return this.#memory.call(query, this, ray, kFacings.indexOf(facing));
+  }
+
+  #ofRegion(query, region) {
+    return this.#memory.call(query, this, ...numbersOfRegion(this.#memory, region));
   }
 }

@@ -107,50 +107,45 @@ export class Scene {
   }
 
   palette(instance, frame, out = undefined) {
-    const { address, seconds } = this.#hand(instance, frame);
-    this.#memory.module._pelt_instance_palette(address, seconds);
-    return this.#memory.data(Float32Array, 16, out);
+    const { character, placed } = this.#placed(instance, frame);
+    this.#memory.call('instance_palette', character, ...placed);
+    return this.#memory.array(Float32Array, 0, out);
   }
 
   morphWeights(instance, frame, out = undefined) {
-    const { address, seconds } = this.#hand(instance, frame);
-    this.#memory.module._pelt_instance_morph_weights(address, seconds);
-    return this.#memory.data(Float32Array, 1, out);
+    const { character, placed } = this.#placed(instance, frame);
+    this.#memory.call('instance_morph_weights', character, ...placed);
+    return this.#memory.array(Float32Array, 0, out);
   }
 
   setPose(pose, instance, frame) {
-    const { module, handles } = this.#memory;
-    const given = handles.given(pose, Pose, 'pose');
-    const { character, seconds } = this.#hand(instance, frame);
+    this.#memory.handles.given(pose, Pose, 'pose');
+    const { character, placed } = this.#placed(instance, frame);
     if (character !== pose.character) {
       throw invalid(`pose: it belongs to ${pose.character.name}, not to the instance's character`);
     }
-    this.#memory.accepted(module._pelt_pose_instance(given, seconds));
+    this.#memory.call('pose_instance', pose, ...placed);
   }
 
   delete() {
     for (const character of this.characters) character.delete();
   }
 
-  /** Passes the instance to the engine. Returns its character and the time of the frame in seconds. */
-  #hand(number, frame) {
-    const { module, handles } = this.#memory;
+  /** Returns an instance's character, and what the engine needs to place it. */
+  #placed(number, frame) {
     const seconds = check.number(frame, 'frame') / factor(this.fps, 'fps');
     const place = `instances[${check.count(number, 'instance')}]`;
     if (!(number in this.instances)) throw invalid(`instance: the scene has no instance ${number}`);
     const instance = complete(this.#memory, this.instances[number], place);
     const character = this.characters[instance.character];
-    const address = handles.given(character, Character, `characters[${instance.character}]`);
+    this.#memory.handles.given(character, Character, `characters[${instance.character}]`);
     const kept = keptWeights(instance.morphWeights, character.morphTargetNames, place);
     const numbers = numbersOf(instance, clipNumber(this.#memory, character, instance.clip));
-    this.#memory.view(Float64Array, module._pelt_instance(), numbers.length).set(numbers);
-    const weights = module._pelt_kept_weights(kept.length);
-    if (kept.length > 0) this.#memory.view(Float32Array, weights, kept.length).set(kept);
-    return { character, address, seconds };
+    return { character, placed: [seconds, numbers, kept] };
   }
 }
 
 /** Same order as PlacedNumbers (palette.cpp). */
 function numbersOf({ start, speed, translation, rotation, scale, velocity }, clip) {
-  return [clip, start, speed, ...translation, ...rotation, scale, ...velocity];
+  return Float64Array.of(clip, start, speed, ...translation, ...rotation, scale, ...velocity);
 }

@@ -4,11 +4,17 @@ import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 import { readOptions } from './options.mjs';
 import { different } from './queries.mjs';
-import { readStats } from './stats.mjs';
 
 /** Numbered as in search.hpp. */
 const kOrders = ['firstContact', 'resolution', 'contacts'];
 const kVerdicts = ['apart', 'touching', 'unknown'];
+
+/** Same order as in collide.cpp. */
+const kRegionColumns = [
+  ['boxes', Float32Array],
+  ['depths', Float32Array],
+  ['pairCounts', Float64Array],
+];
 
 const kRules = {
   order: (order, name) => check.oneOf(order, kOrders, name),
@@ -23,11 +29,11 @@ export class CollisionSearch {
   constructor(memory, a, b, options) {
     const { order = kOrders[0], maxOpen = 4096 } = readOptions(memory, options, kRules);
     const poses = different(memory, a, b);
-    const made = memory.module._pelt_make_search(...poses, kOrders.indexOf(order), maxOpen);
+    const made = memory.call('make_search', ...poses, kOrders.indexOf(order), maxOpen);
     this.#memory = memory;
     this.#a = a;
     this.#b = b;
-    memory.handles.own(this, made, '_pelt_delete_search', 'search');
+    memory.handles.own(this, made, 'delete_search', 'search');
   }
 
   run(budget) {
@@ -35,66 +41,55 @@ export class CollisionSearch {
     if (this.isStale) {
       throw invalid('a pose has changed since the search was started: call restart()');
     }
-    this.#memory.module._pelt_run_search(this.#handle, work);
-    return readStats(this.#memory);
+    this.#call('run_search', work);
+    return this.#memory.stats();
   }
 
   restart() {
-    this.#memory.module._pelt_restart_search(this.#handle);
+    this.#call('restart_search');
   }
 
   get isComplete() {
-    return this.#memory.module._pelt_search_is_complete(this.#handle) !== 0;
+    return this.#call('search_is_complete') !== 0;
   }
 
   get isStale() {
-    return this.#memory.module._pelt_search_is_stale(this.#handle) !== 0;
+    return this.#call('search_is_stale') !== 0;
   }
 
   get verdict() {
-    return kVerdicts[this.#memory.module._pelt_search_verdict(this.#handle)];
+    return kVerdicts[this.#call('search_verdict')];
   }
 
   get undecidedPairs() {
-    return this.#memory.module._pelt_search_undecided_pairs(this.#handle);
+    return this.#call('search_undecided_pairs');
   }
 
   get resolution() {
-    return this.#memory.module._pelt_search_resolution(this.#handle);
+    return this.#call('search_resolution');
   }
 
   get distanceBound() {
-    return this.#memory.module._pelt_search_distance_bound(this.#handle);
+    return this.#call('search_distance_bound');
   }
 
   get workDone() {
-    return this.#memory.module._pelt_search_work_done(this.#handle);
+    return this.#call('search_work_done');
   }
 
   get longestStep() {
-    return this.#memory.module._pelt_search_longest_step(this.#handle);
+    return this.#call('search_longest_step');
   }
 
   pairs() {
-    this.#memory.module._pelt_search_contacts(this.#handle);
-    return this.#memory.data(Uint32Array, 2);
+    this.#call('search_contacts');
+    return this.#memory.array(Uint32Array);
   }
 
   openRegions() {
-    this.#memory.module._pelt_search_regions(this.#handle);
-    const rows = this.#memory.data(Float64Array, 1);
-    const count = rows.length / 8;
-    const column = (begin, width, type) =>
-      type.from({ length: count * width }, (_, i) => {
-        const row = 8 * Math.floor(i / width);
-        return rows[row + begin + (i % width)];
-      });
-    return {
-      count,
-      boxes: column(0, 6, Float32Array),
-      depths: column(6, 1, Float32Array),
-      pairCounts: column(7, 1, Float64Array),
-    };
+    this.#call('search_regions');
+    const columns = this.#memory.arrays(kRegionColumns);
+    return { count: columns.depths.length, ...columns };
   }
 
   delete() {
@@ -102,8 +97,8 @@ export class CollisionSearch {
   }
 
   /** Throws if a pose has been deleted, which the engine would still read. */
-  get #handle() {
-    const [handle] = [this, this.#a, this.#b].map((owner) => this.#memory.handles.of(owner));
-    return handle;
+  #call(name, ...values) {
+    for (const owner of [this, this.#a, this.#b]) this.#memory.handles.of(owner);
+    return this.#memory.call(name, this, ...values);
   }
 }

@@ -7,8 +7,6 @@ import { readOptions } from './options.mjs';
 import { Pose } from './pose.mjs';
 import { mostContacts, readContacts } from './queries.mjs';
 
-const kRemove = '_pelt_delete_self_filter';
-
 const rowsOf = (type, width) => (value, name) => check.rows(value, width, name, type);
 
 /** Same order as in self.cpp. */
@@ -46,30 +44,18 @@ function checkFilter(options, character, part) {
   }
 }
 
-function makeFilter(memory, character, options, part) {
-  const { module, handles } = memory;
-  kArrays.forEach(([name, type], array) => {
-    const numbers = options[name] ?? new type();
-    const address = module._pelt_self_filter_input(array, numbers.byteLength);
-    memory.write(type, address, numbers, numbers.length, name);
-  });
-  const { rings = 0, nearJoints = false } = options;
-  const number = partNumber(character, part);
-  return memory.accepted(
-    module._pelt_make_self_filter(handles.of(character), number, rings, nearJoints ? 1 : 0),
-  );
-}
-
 export class SelfFilter {
   #memory;
 
   constructor(memory, character, options, part) {
     this.#memory = memory;
     const read = readOptions(memory, options, kFilterRules);
-    partNumber(character, part);
+    const number = partNumber(character, part);
     checkFilter(read, character, part);
-    const made = makeFilter(memory, character, read, part);
-    memory.handles.own(this, made, kRemove, `self filter of ${character.name}`);
+    const { rings = 0, nearJoints = false } = read;
+    const arrays = kArrays.map(([name, type]) => read[name] ?? new type());
+    const made = memory.call('make_self_filter', character, number, rings, nearJoints, ...arrays);
+    memory.handles.own(this, made, 'delete_self_filter', `self filter of ${character.name}`);
     this.character = character;
     this.part = part;
     Object.freeze(this);
@@ -80,16 +66,16 @@ export class SelfFilter {
   }
 }
 
-/** Returns the handle of a filter, which must be of a character, or of a part of it. */
+/** Checks a filter, which must be of a character, or of a part of it. Returns it. */
 export function filterOf(memory, filter, character, part) {
-  const handle = memory.handles.given(filter, SelfFilter, 'filter');
-  if (filter.character === character && filter.part === part) return handle;
+  memory.handles.given(filter, SelfFilter, 'filter');
+  if (filter.character === character && filter.part === part) return filter;
   throw invalid('filter: it was made for another character or part');
 }
 
 function posedWith(memory, pose, filter) {
-  const handle = memory.handles.given(pose, Pose, 'pose');
-  return [handle, filterOf(memory, filter, pose.character, pose.part)];
+  memory.handles.given(pose, Pose, 'pose');
+  return [pose, filterOf(memory, filter, pose.character, pose.part)];
 }
 
 export function readLeftOut(memory) {
@@ -97,14 +83,14 @@ export function readLeftOut(memory) {
   return { takesPart, rings, atRest, always, joints, groups };
 }
 
-export function selfCollide(memory, pose, filter, options) {
+export function selfCollide(memory, pose, filter, options = undefined) {
   const most = mostContacts(memory, options);
-  memory.module._pelt_self_collide(...posedWith(memory, pose, filter), most);
+  memory.call('self_collide', ...posedWith(memory, pose, filter), most);
   return { ...readContacts(memory), leftOut: readLeftOut(memory) };
 }
 
 export function selfIntersects(memory, pose, filter) {
-  return memory.module._pelt_self_intersects(...posedWith(memory, pose, filter)) !== 0;
+  return memory.call('self_intersects', ...posedWith(memory, pose, filter)) !== 0;
 }
 
 /** Checks that pairs ascend without repetition, as `selfCollide` returns them. */
@@ -120,31 +106,24 @@ export class ContactTally {
 
   constructor(memory) {
     this.#memory = memory;
-    memory.handles.own(this, memory.module._pelt_make_tally(), '_pelt_delete_tally', 'tally');
+    memory.handles.own(this, memory.call('make_tally'), 'delete_tally', 'tally');
   }
 
   add(pairs) {
     checkAscending(check.rows(pairs, 2, 'pairs'));
-    this.#memory.withBytes(pairs, (address) =>
-      this.#memory.module._pelt_tally_add(this.#handle, address, pairs.length / 2),
-    );
+    this.#memory.call('tally_add', this, pairs);
   }
 
   get poseCount() {
-    return this.#memory.module._pelt_tally_pose_count(this.#handle);
+    return this.#memory.call('tally_pose_count', this);
   }
 
   inShareOfPoses(share) {
-    check.number(share, 'share', 0, 1);
-    this.#memory.module._pelt_tally_in_share(this.#handle, share);
-    return this.#memory.data(Uint32Array, 2);
+    this.#memory.call('tally_in_share', this, check.number(share, 'share', 0, 1));
+    return this.#memory.array(Uint32Array);
   }
 
   delete() {
     this.#memory.handles.delete(this);
-  }
-
-  get #handle() {
-    return this.#memory.handles.of(this);
   }
 }

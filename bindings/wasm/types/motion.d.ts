@@ -1,6 +1,6 @@
 /** Options and results of queries of motions. */
 
-import type { QueryStats } from './contacts.js';
+import type { QueryStats } from './queries.js';
 import type { Pose } from './pose.js';
 import type { LeftOut } from './self.js';
 

@@ -1,8 +1,7 @@
 /** Poses, their boxes, and the queries of a single pose. */
 
 import type { Character } from './character.js';
-import type { QueryStats } from './contacts.js';
-import type { ClosestPoint, ClosestPointOptions } from './distances.js';
+import type { ClosestPoint, ClosestPointOptions, QueryStats } from './queries.js';
 import type { Region, TrianglesInRegion, Vector } from './solids.js';
 
 /** One instance of a character with a joint palette. */

@@ -1,7 +1,7 @@
 /** Scenes, crowds, and the hash of their contacts. */
 
 import type { Character } from './character.js';
-import type { CollideOptions, QueryStats } from './contacts.js';
+import type { CollideOptions, QueryStats } from './queries.js';
 import type { MovingColumns, MovingOptions } from './motion.js';
 import type { Pose } from './pose.js';
 import type { LeftOut, SelfFilter } from './self.js';

@@ -1,6 +1,6 @@
 /** A search for contacts that can be stopped, read and resumed. */
 
-import type { QueryStats } from './contacts.js';
+import type { QueryStats } from './queries.js';
 
 export interface SearchOptions {
   /**

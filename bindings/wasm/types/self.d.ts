@@ -1,7 +1,7 @@
 /** Contacts of a pose with itself, and their filters. */
 
 import type { Character } from './character.js';
-import type { Contacts } from './contacts.js';
+import type { Contacts } from './queries.js';
 
 /** Which intersecting pairs of triangles to leave out. By default, none. */
 export interface SelfFilterOptions {

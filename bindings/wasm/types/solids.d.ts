@@ -1,6 +1,6 @@
 /** Simple solids and other regions of space. */
 
-import type { QueryStats } from './contacts.js';
+import type { QueryStats } from './queries.js';
 
 /** Three numbers. */
 export type Vector = readonly number[] | Float32Array | Float64Array;
