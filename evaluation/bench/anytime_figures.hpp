@@ -2,7 +2,7 @@
 
 /// The results of methods of `pelt-lab bench --anytime` over their work and over time: curves of
 /// single pairs of instances, and means over all pairs in contact. Times are relative to the time
-/// of a complete search of the same pair in the order `contacts`.
+/// of a complete search of the same pair in the order `contacts`. The chart of these curves.
 
 #include <array>
 #include <cstddef>
@@ -107,5 +107,9 @@ std::vector<AnytimeMethodFigures> figures_of(std::span<const AnytimeRecord> reco
 
 /// The figures of a method, or null.
 const AnytimeMethodFigures* find_method(const AnytimeSceneFigures& scene, std::string_view method);
+
+/// The chart as SVG: what is known over the time, a row of panels for each scene. The methods of
+/// all scenes must be the same. Precondition: not empty.
+std::string anytime_chart(const std::vector<AnytimeSceneFigures>& scenes);
 
 }  // namespace pelt::lab

@@ -6,7 +6,7 @@
 #include "base/workers.hpp"
 #include "evaluation/bench/against.hpp"
 #include "evaluation/bench/anytime_bench.hpp"
-#include "evaluation/bench/anytime_chart.hpp"
+#include "evaluation/bench/anytime_figures.hpp"
 #include "evaluation/bench/moving_bench.hpp"
 #include "evaluation/methods/lab_methods.hpp"
 #include "text/format.hpp"

@@ -2,13 +2,19 @@
 
 /// Methods that are used only for comparison, in addition to the methods of the command.
 
+#include "evaluation/rivals/posed_mesh_method.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
+#include "tools/pelt/methods/method.hpp"
 
 namespace pelt::lab {
 
 using methods::Method;
 using methods::MethodKind;
 using methods::Skins;
+
+/// Adapts a method that starts from posed vertices. For every new palette, the adapter skins all
+/// vertices with the library's fastest code. This time counts as part of the method's cost.
+std::unique_ptr<Method> adapt(std::unique_ptr<rivals::PosedMeshMethod> method);
 
 std::unique_ptr<Method> make_rigid();
 std::unique_ptr<Method> make_paper_eq2();

@@ -1,7 +1,7 @@
 #include "evaluation/methods/moving_methods.hpp"
 
 #include "collide/eager.hpp"
-#include "evaluation/rivals/united_boxes.hpp"
+#include "evaluation/rivals/stages.hpp"
 #include "model/model.hpp"
 #include "pose/pose.hpp"
 #include "query/scratch.hpp"

@@ -1,12 +1,7 @@
 #pragma once
 
-/// Each adapter's file provides the method and the version of its library.
-///
-/// Other libraries, asked about a body against itself: `collide` is called with one body twice, and
-/// finds each pair of triangles once, with the lower number first.
-///
-/// Continuous collision detection of other libraries, with the interface of methods that start from
-/// posed vertices. Linear motion between two meshes, as in Pelt.
+/// The methods of other libraries, with the interface of methods that start from posed vertices.
+/// Each adapter's file provides the methods and the version of its library.
 
 #include <pelt/collide.hpp>
 
@@ -19,6 +14,22 @@
 #include <vector>
 
 namespace pelt::peers {
+
+/// A method whose bodies do not depend on each other.
+template <typename Body>
+class MethodOfBodies : public rivals::PosedMeshMethod {
+ public:
+  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) final {
+    bodies_.push_back(std::make_unique<Body>(triangles, rest));
+  }
+
+  void update(std::uint32_t body, std::span<const Vec3> positions) final {
+    bodies_[body]->update(positions);
+  }
+
+ protected:
+  std::vector<std::unique_ptr<Body>> bodies_;
+};
 
 std::unique_ptr<rivals::PosedMeshMethod> make_fcl();
 std::string fcl_version();
@@ -38,6 +49,9 @@ std::unique_ptr<rivals::PosedMeshMethod> make_cgal_tree();
 std::unique_ptr<rivals::PosedMeshMethod> make_cgal_boxes();
 std::string cgal_version();
 
+// Methods for a body against itself: `collide` is called with one body twice, and finds each pair
+// of triangles once, with the lower number first.
+
 std::unique_ptr<rivals::PosedMeshMethod> make_self_cgal_mesh();
 
 /// With Pelt's predicates; the same without pairs of neighbours; and with CGAL's predicate, without
@@ -54,6 +68,7 @@ struct TimedPair {
   double time = 0;
 };
 
+/// Continuous collision detection: linear motion between two meshes, as in Pelt.
 class MovingMeshMethod {
  public:
   virtual ~MovingMeshMethod() = default;
@@ -68,7 +83,7 @@ class MovingMeshMethod {
                               std::vector<TimedPair>& pairs) = 0;
 };
 
-/// `scale`: the number by which all positions are multiplied; see fcl_moving.cpp.
+/// `scale`: the number by which all positions are multiplied; see fcl.cpp.
 std::unique_ptr<MovingMeshMethod> make_fcl_moving(double scale);
 
 }  // namespace pelt::peers

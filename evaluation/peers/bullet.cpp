@@ -181,17 +181,9 @@ QueryStats keep_exact(const btPairSet& pairs, const Body& a, const Body& b,
 using Keep = QueryStats (*)(const btPairSet&, const Body&, const Body&, std::vector<Contact>&,
                             std::uint32_t);
 
-class BulletMethod final : public rivals::PosedMeshMethod {
+class BulletMethod final : public MethodOfBodies<Body> {
  public:
   explicit BulletMethod(Keep keep) : keep_(keep) {}
-
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<Body>(triangles, rest));
-  }
-
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
-    bodies_[body]->update(positions);
-  }
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
@@ -204,7 +196,6 @@ class BulletMethod final : public rivals::PosedMeshMethod {
 
  private:
   Keep keep_;
-  std::vector<std::unique_ptr<Body>> bodies_;
   btPairSet pairs_;
 };
 

@@ -5,26 +5,75 @@
 /// other body's box, because the algorithm visits its whole input and would spend half of the time
 /// on boxes that cannot touch. The narrow phase is ours. An exception from the callback ends a
 /// query early, as in CGAL's own does_self_intersect.
-///
-/// CGAL's box_self_intersection_d: sorts the boxes of all triangles and streams them through a
-/// segment tree. Nothing is reused from one query to the next. The update computes the boxes.
 
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
-#include "evaluation/peers/cgal_box.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/version.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace pelt::peers {
 
 namespace {
 
+/// A model of CGAL's concept BoxIntersectionBox_d.
+struct CgalBox {
+  using NT = float;
+  using ID = std::uint32_t;
+
+  static int dimension() { return 3; }
+  float min_coord(int axis) const { return low[axis]; }
+  float max_coord(int axis) const { return high[axis]; }
+  /// Distinct in both sets together.
+  ID id() const { return triangle | body << 31; }
+
+  void include(const Vec3& p) {
+    const float at[3] = {p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], at[axis]);
+      high[axis] = std::max(high[axis], at[axis]);
+    }
+  }
+  void include(const CgalBox& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+  }
+  bool meets(const CgalBox& other) const {
+    bool all = true;
+    for (int axis = 0; axis < 3; ++axis)
+      all = all && low[axis] <= other.high[axis] && other.low[axis] <= high[axis];
+    return all;
+  }
+
+  static constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  float low[3] = {kInfinity, kInfinity, kInfinity};
+  float high[3] = {-kInfinity, -kInfinity, -kInfinity};
+  std::uint32_t triangle = 0;
+  std::uint32_t body = 0;  ///< 0 or 1, within a query
+};
+
+CgalBox box_of(const PosedBody& mesh, std::uint32_t triangle) {
+  CgalBox box;
+  for (const Vec3& corner : mesh.corners(triangle)) box.include(corner);
+  box.triangle = triangle;
+  return box;
+}
+
 struct Body {
   Body(std::span<const Triangle> triangles, std::span<const Vec3> rest) : mesh(triangles, rest) {
+    take_boxes();
+  }
+
+  void update(std::span<const Vec3> positions) {
+    mesh.positions = positions;
     take_boxes();
   }
 
@@ -32,11 +81,8 @@ struct Body {
     boxes.clear();
     whole = CgalBox();
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      CgalBox box;
-      for (const Vec3& corner : mesh.corners(t)) box.include(corner);
-      box.triangle = t;
-      whole.include(box);
-      boxes.push_back(box);
+      boxes.push_back(box_of(mesh, t));
+      whole.include(boxes.back());
     }
   }
 
@@ -57,19 +103,14 @@ void select(const Body& body, const CgalBox& where, std::uint32_t number,
   }
 }
 
+/// Thrown to end a query.
 struct Enough {};
 
-class CgalBoxesMethod final : public rivals::PosedMeshMethod {
+/// CGAL compares sets smaller than this pair by pair.
+constexpr std::ptrdiff_t kCutoff = 10;
+
+class CgalBoxesMethod final : public MethodOfBodies<Body> {
  public:
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<Body>(triangles, rest));
-  }
-
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
-    bodies_[body]->mesh.positions = positions;
-    bodies_[body]->take_boxes();
-  }
-
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
     const Body &body_a = *bodies_[a], &body_b = *bodies_[b];
@@ -93,10 +134,6 @@ class CgalBoxesMethod final : public rivals::PosedMeshMethod {
     }
   }
 
-  /// CGAL compares sets smaller than this pair by pair.
-  static constexpr std::ptrdiff_t kCutoff = 10;
-
-  std::vector<std::unique_ptr<Body>> bodies_;
   std::vector<CgalBox> boxes_a_, boxes_b_;
 };
 
@@ -131,33 +168,23 @@ struct Surface {
   Surface(std::span<const Triangle> triangles, std::span<const Vec3> rest)
       : mesh(triangles, rest), neighbours(triangles, rest) {}
 
+  void update(std::span<const Vec3> positions) {
+    mesh.positions = positions;
+    boxes.resize(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < boxes.size(); ++t) boxes[t] = box_of(mesh, t);
+  }
+
   PosedBody mesh;
   Neighbours neighbours;
   std::vector<CgalBox> boxes;
 };
 
-struct EnoughOfSelf {};
-
+/// CGAL's box_self_intersection_d: sorts the boxes of all triangles and streams them through a
+/// segment tree. Nothing is reused from one query to the next. The update computes the boxes.
 template <typename Apart>
-class SelfCgalBoxesMethod final : public rivals::PosedMeshMethod {
+class SelfCgalBoxesMethod final : public MethodOfBodies<Surface> {
  public:
   explicit SelfCgalBoxesMethod(OfNeighbours of_neighbours) : of_neighbours_(of_neighbours) {}
-
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<Surface>(triangles, rest));
-  }
-
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
-    Surface& surface = *bodies_[body];
-    surface.mesh.positions = positions;
-    surface.boxes.resize(surface.mesh.triangles.size());
-    for (std::uint32_t t = 0; t < surface.boxes.size(); ++t) {
-      CgalBox box;
-      for (const Vec3& corner : surface.mesh.corners(t)) box.include(corner);
-      box.triangle = t;
-      surface.boxes[t] = box;
-    }
-  }
 
   QueryStats collide(std::uint32_t a, std::uint32_t, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
@@ -167,21 +194,17 @@ class SelfCgalBoxesMethod final : public rivals::PosedMeshMethod {
     if (!candidates.wants_more()) return candidates.work();
     const auto take = [&](const CgalBox& s, const CgalBox& t) {
       candidates.add(s.triangle, t.triangle);
-      if (!candidates.wants_more()) throw EnoughOfSelf();
+      if (!candidates.wants_more()) throw Enough();
     };
     try {
       CGAL::box_self_intersection_d(surface.boxes.begin(), surface.boxes.end(), take, kCutoff);
-    } catch (const EnoughOfSelf&) {
+    } catch (const Enough&) {
     }
     return candidates.work();
   }
 
  private:
-  /// CGAL compares sets smaller than this pair by pair.
-  static constexpr std::ptrdiff_t kCutoff = 10;
-
   OfNeighbours of_neighbours_;
-  std::vector<std::unique_ptr<Surface>> bodies_;
 };
 
 }  // namespace

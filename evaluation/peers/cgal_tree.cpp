@@ -3,14 +3,6 @@
 /// Each triangle of one body that overlaps the other body's box is queried in that body's tree,
 /// with CGAL's filtered exact predicates as narrow phase (its tree cannot use ours). A traversal
 /// ends when there are enough contacts.
-///
-/// CGAL's Polygon_mesh_processing::self_intersections on a Surface_mesh, with its filtered exact
-/// predicates.
-///
-/// Its rule for triangles that share a corner or an edge is that of self_collide. But CGAL does not
-/// accept collapsed triangles, which are left out, and its meshes are manifold: a triangle that
-/// cannot be added gets vertices of its own, and then touches its neighbours. For CGAL, a crack
-/// that opens stays closed. The update sets the points of the mesh and finds collapsed triangles.
 
 #include "evaluation/peers/adapters.hpp"
 #include "evaluation/peers/candidates.hpp"
@@ -35,6 +27,8 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Corners::const_iterator>
 using TreeTraits = CGAL::AABB_traits<Kernel, Primitive>;
 using Tree = CGAL::AABB_tree<TreeTraits>;
 
+Kernel::Point_3 point(const Vec3& p) { return {p.x, p.y, p.z}; }
+
 class Body {
  public:
   Body(std::span<const Triangle> triangles, std::span<const Vec3> rest) : triangles_(triangles) {
@@ -42,13 +36,9 @@ class Body {
   }
 
   void update(std::span<const Vec3> positions) {
-    const auto corner = [&](std::uint32_t vertex) {
-      const Vec3& p = positions[vertex];
-      return Kernel::Point_3(p.x, p.y, p.z);
-    };
     corners_.clear();
-    for (const Triangle& t : triangles_)
-      corners_.emplace_back(corner(t[0]), corner(t[1]), corner(t[2]));
+    for (const auto& [a, b, c] : triangles_)
+      corners_.emplace_back(point(positions[a]), point(positions[b]), point(positions[c]));
     tree_.rebuild(corners_.cbegin(), corners_.cend());
   }
 
@@ -103,16 +93,8 @@ class Search {
   QueryStats work_;
 };
 
-class CgalTreeMethod final : public rivals::PosedMeshMethod {
+class CgalTreeMethod final : public MethodOfBodies<Body> {
  public:
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<Body>(triangles, rest));
-  }
-
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
-    bodies_[body]->update(positions);
-  }
-
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
     const CGAL::Bbox_3 box_a = bodies_[a]->tree().bbox(), box_b = bodies_[b]->tree().bbox();
@@ -123,9 +105,6 @@ class CgalTreeMethod final : public rivals::PosedMeshMethod {
       if (CGAL::do_overlap(corners[t].bbox(), box_a)) search.ask(corners[t], t);
     return search.work();
   }
-
- private:
-  std::vector<std::unique_ptr<Body>> bodies_;
 };
 
 }  // namespace
@@ -136,10 +115,7 @@ std::unique_ptr<rivals::PosedMeshMethod> make_cgal_tree() {
 
 namespace {
 
-using MeshKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<MeshKernel::Point_3>;
-
-MeshKernel::Point_3 mesh_point(const Vec3& p) { return {p.x, p.y, p.z}; }
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 class MeshBody {
  public:
@@ -153,13 +129,12 @@ class MeshBody {
 
   void update(std::span<const Vec3> positions) {
     for (const Mesh::Vertex_index v : cgal_.vertices())
-      cgal_.point(v) = mesh_point(positions[vertices_[v]]);
+      cgal_.point(v) = point(positions[vertices_[v]]);
     mesh_.positions = positions;
     faces_.clear();
     for (const Mesh::Face_index face : cgal_.faces()) {
       const detail::TriangleCorners c = mesh_.corners(face);
-      if (!CGAL::collinear(mesh_point(c[0]), mesh_point(c[1]), mesh_point(c[2])))
-        faces_.push_back(face);
+      if (!CGAL::collinear(point(c[0]), point(c[1]), point(c[2]))) faces_.push_back(face);
     }
   }
 
@@ -169,7 +144,7 @@ class MeshBody {
  private:
   Mesh::Vertex_index add_vertex(std::uint32_t vertex) {
     vertices_.push_back(vertex);
-    return cgal_.add_vertex(mesh_point(mesh_.positions[vertex]));
+    return cgal_.add_vertex(point(mesh_.positions[vertex]));
   }
 
   void add_triangle(const Triangle& t, const std::vector<std::uint32_t>& surface,
@@ -194,18 +169,17 @@ class MeshBody {
   std::vector<Mesh::Face_index> faces_;
 };
 
-struct EnoughOfMesh {};
+struct Enough {};
 
-class SelfCgalMeshMethod final : public rivals::PosedMeshMethod {
+/// CGAL's Polygon_mesh_processing::self_intersections on a Surface_mesh, with its filtered exact
+/// predicates.
+///
+/// Its rule for triangles that share a corner or an edge is that of self_collide. But CGAL does not
+/// accept collapsed triangles, which are left out, and its meshes are manifold: a triangle that
+/// cannot be added gets vertices of its own, and then touches its neighbours. For CGAL, a crack
+/// that opens stays closed. The update sets the points of the mesh and finds collapsed triangles.
+class SelfCgalMeshMethod final : public MethodOfBodies<MeshBody> {
  public:
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<MeshBody>(triangles, rest));
-  }
-
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
-    bodies_[body]->update(positions);
-  }
-
   QueryStats collide(std::uint32_t a, std::uint32_t, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
     QueryStats work;
@@ -216,18 +190,15 @@ class SelfCgalMeshMethod final : public rivals::PosedMeshMethod {
       const std::uint32_t s = pair.first, t = pair.second;
       contacts.push_back({std::min(s, t), std::max(s, t)});
       work.cut_short = --max_contacts == 0;
-      if (work.cut_short) throw EnoughOfMesh();
+      if (work.cut_short) throw Enough();
     };
     try {
       CGAL::Polygon_mesh_processing::self_intersections(body.faces(), body.cgal(),
                                                         boost::make_function_output_iterator(take));
-    } catch (const EnoughOfMesh&) {
+    } catch (const Enough&) {
     }
     return work;
   }
-
- private:
-  std::vector<std::unique_ptr<MeshBody>> bodies_;
 };
 
 }  // namespace

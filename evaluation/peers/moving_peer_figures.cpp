@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
 #include <map>
 #include <utility>
 
@@ -192,38 +191,33 @@ Result<MovingScenePeers> measure_moving_peers(const MovingSubject& subject,
   return scene;
 }
 
-namespace {
-
-constexpr int kMethodWidth = 18, kFigureWidth = 12;
-
-void print_moving_row(const MovingPeerFigures& figures, double pelt_us, std::ostream& out) {
-  out << std::left << std::setw(kMethodWidth) << figures.method << std::right;
-  for (const double time : {figures.skinning_us, figures.update_us, figures.query_us,
-                            figures.step_us, figures.step_us / pelt_us})
-    out << std::setw(kFigureWidth) << text::fixed(time, 1);
-  const peers::MovingDifference& difference = figures.difference;
-  for (const std::size_t count : {difference.missing_later, difference.missing_at_start,
-                                  difference.extra, difference.early, difference.late})
-    out << std::setw(kFigureWidth) << text::with_commas(count);
-  out << '\n';
-}
-
-}  // namespace
-
 void print_moving_peers(const MovingScenePeers& scene, std::ostream& out) {
   out << scene.scene << ": " << text::with_commas(scene.triangles) << " triangles, "
       << text::counted(scene.steps, "step") << " of which " << scene.steps_in_contact
       << " in contact, " << text::with_commas(scene.contacts) << " contacts in all, "
       << text::with_commas(scene.contacts_at_start) << " of them from the start of the step\n"
       << "microseconds a step on one thread, medians of " << scene.repetitions
-      << ", means over the steps; less is better\n"
-      << std::left << std::setw(kMethodWidth) << "method" << std::right;
-  for (const char* head : {"skinning", "update", "query", "step", "of pelt's", "missing",
-                           "at start", "extra", "early", "late"})
-    out << std::setw(kFigureWidth) << head;
-  out << '\n';
-  for (const MovingPeerFigures& figures : scene.methods)
-    print_moving_row(figures, scene.methods[0].step_us, out);
+      << ", means over the steps; less is better\n";
+  constexpr bench::Column kColumns[] = {{"method", "method"},    {"skinning_us", "skinning"},
+                                        {"update_us", "update"}, {"query_us", "query"},
+                                        {"step_us", "step"},     {"of_pelt", "of pelt's"},
+                                        {"missing", "missing"},  {"at_start", "at start"},
+                                        {"extra", "extra"},      {"early", "early"},
+                                        {"late", "late"}};
+  std::vector<bench::Row> rows;
+  for (const MovingPeerFigures& of : scene.methods)
+    rows.push_back({{"method", of.method},
+                    {"skinning_us", of.skinning_us},
+                    {"update_us", of.update_us},
+                    {"query_us", of.query_us},
+                    {"step_us", of.step_us},
+                    {"of_pelt", of.step_us / scene.methods[0].step_us},
+                    {"missing", of.difference.missing_later},
+                    {"at_start", of.difference.missing_at_start},
+                    {"extra", of.difference.extra},
+                    {"early", of.difference.early},
+                    {"late", of.difference.late}});
+  bench::print_table(kColumns, rows, out, {18, 12});
   out << '\n';
 }
 

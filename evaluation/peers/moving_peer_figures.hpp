@@ -6,7 +6,7 @@
 
 #include "evaluation/bench/moving_bench.hpp"
 #include "evaluation/peers/adapters.hpp"
-#include "evaluation/peers/compare.hpp"
+#include "evaluation/peers/peer_figures.hpp"
 
 #include <ostream>
 #include <string>

@@ -97,15 +97,10 @@ class Library {
   ~Library() { dCloseODE(); }
 };
 
-class OdeMethod final : public rivals::PosedMeshMethod {
+class OdeMethod final : public MethodOfBodies<Body> {
  public:
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<Body>(triangles, rest));
-  }
-
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
-    bodies_[body]->update(positions);
-  }
+  /// The library outlives the bodies.
+  ~OdeMethod() override { bodies_.clear(); }
 
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
@@ -147,7 +142,6 @@ class OdeMethod final : public rivals::PosedMeshMethod {
   }
 
   Library library_;
-  std::vector<std::unique_ptr<Body>> bodies_;
   std::vector<dContactGeom> points_ = std::vector<dContactGeom>(kMaxPoints);
   std::vector<Contact> pairs_;
   std::vector<std::uint32_t> group_a_, group_b_;

@@ -1,7 +1,7 @@
 #include "evaluation/peers/peer_figures.hpp"
 
+#include "evaluation/bench/csv.hpp"
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/methods/posed_mesh_adapter.hpp"
 #include "evaluation/peers/peers.hpp"
 #include "text/format.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
@@ -9,18 +9,96 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <iomanip>
+
+namespace pelt::peers {
+namespace {
+
+std::vector<Contact> as_set(std::span<const Contact> contacts) {
+  std::vector<Contact> set(contacts.begin(), contacts.end());
+  std::sort(set.begin(), set.end());
+  set.erase(std::unique(set.begin(), set.end()), set.end());
+  return set;
+}
+
+/// Number of contacts of `a` that `b` does not contain. Precondition: both are sets.
+std::size_t count_only_in(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  return static_cast<std::size_t>(std::count_if(a.begin(), a.end(), [&](const Contact& contact) {
+    return !std::binary_search(b.begin(), b.end(), contact);
+  }));
+}
+
+}  // namespace
+
+Difference& Difference::operator+=(const Difference& other) {
+  missing += other.missing;
+  extra += other.extra;
+  repeated += other.repeated;
+  return *this;
+}
+
+Difference compare(std::span<const Contact> answer, std::span<const Contact> exact) {
+  const std::vector<Contact> ours = as_set(answer), theirs = as_set(exact);
+  return {count_only_in(theirs, ours), count_only_in(ours, theirs), answer.size() - ours.size()};
+}
+
+namespace {
+
+/// The contact of these triangles, or null.
+const MovingContact* find(std::span<const MovingContact> contacts, const Contact& contact) {
+  const auto place = std::lower_bound(
+      contacts.begin(), contacts.end(), contact,
+      [](const MovingContact& moving, const Contact& key) { return moving.contact < key; });
+  return place != contacts.end() && place->contact == contact ? &*place : nullptr;
+}
+
+}  // namespace
+
+MovingDifference& MovingDifference::operator+=(const MovingDifference& other) {
+  missing_at_start += other.missing_at_start;
+  missing_later += other.missing_later;
+  extra += other.extra;
+  early += other.early;
+  late += other.late;
+  return *this;
+}
+
+MovingDifference compare_moving(std::span<const MovingContact> answer,
+                                std::span<const MovingContact> exact) {
+  MovingDifference difference;
+  for (const MovingContact& contact : answer)
+    difference.extra += find(exact, contact.contact) == nullptr;
+  for (const MovingContact& contact : exact) {
+    const MovingContact* const found = find(answer, contact.contact);
+    if (found == nullptr) {
+      ++(contact.at_start ? difference.missing_at_start : difference.missing_later);
+    } else if (!contact.at_start) {
+      difference.early += found->time < contact.time - kTimeTolerance;
+      difference.late += found->time > contact.time + kTimeTolerance;
+    }
+  }
+  return difference;
+}
+
+}  // namespace pelt::peers
 
 namespace pelt::tools {
-
 namespace {
 
 using bench::Asked;
 using bench::BenchMethod;
+using bench::in_frame;
 using bench::method_of;
+using bench::Question;
+using bench::Row;
+using bench::Runner;
 using bench::self_method;
+using bench::Subject;
+using bench::Times;
+using bench::Variant;
 using peers::Peer;
 using scene::Collider;
+using scene::FrameContacts;
+using scene::Palettes;
 using scene::SceneQuery;
 
 class SkinningOnly final : public rivals::PosedMeshMethod {
@@ -89,17 +167,6 @@ BenchMethod exact_method(Contest contest) {
 }
 
 namespace {
-
-using bench::BenchMethod;
-using bench::in_frame;
-using bench::Question;
-using bench::Runner;
-using bench::Subject;
-using bench::Times;
-using bench::Variant;
-using scene::Collider;
-using scene::FrameContacts;
-using scene::Palettes;
 
 const std::array kVariants = {Variant{Question::all}, Variant{Question::first}};
 
@@ -210,27 +277,27 @@ Result<ScenePeers> measure_peers(const Subject& subject, std::uint32_t repetitio
 
 namespace {
 
-constexpr int kName = 18, kWord = 13, kColumn = 12;
-
-void print_head(std::ostream& out) {
-  out << std::left << std::setw(kName) << "method" << std::setw(kWord) << "update"
-      << std::setw(kWord) << "narrow phase" << std::right;
-  for (const char* head :
-       {"skinning", "update", "all", "first", "frame", "to first", "of pelt's", "missing", "extra"})
-    out << std::setw(kColumn) << head;
-  out << '\n';
-}
-
-void print_row(const ScenePeers& scene, const PeerFigures& figures, std::ostream& out) {
-  out << std::left << std::setw(kName) << figures.method << std::setw(kWord) << figures.update
-      << std::setw(kWord) << figures.narrow_phase << std::right;
-  for (const double time : {figures.skinning_us, figures.update_us, figures.all_us,
-                            figures.first_us, figures.frame_us, figures.first_frame_us})
-    out << std::setw(kColumn) << text::fixed(time, 1);
-  out << std::setw(kColumn) << text::fixed(cost_over_pelt(scene, figures), 1);
-  for (const std::size_t count : {figures.difference.missing, figures.difference.extra})
-    out << std::setw(kColumn) << text::with_commas(count);
-  out << '\n';
+Row row_of(const ScenePeers& scene, const PeerFigures& of) {
+  return {{"scene", scene.scene},
+          {"triangles", scene.triangles},
+          {"frames", scene.frames},
+          {"frames_in_contact", scene.frames_in_contact},
+          {"contacts", scene.contacts},
+          {"repetitions", scene.repetitions},
+          {"method", of.method},
+          {"version", of.version},
+          {"update", of.update},
+          {"narrow_phase", of.narrow_phase},
+          {"skinning_us", of.skinning_us},
+          {"update_us", of.update_us},
+          {"query_all_us", of.all_us},
+          {"query_first_us", of.first_us},
+          {"frame_all_us", of.frame_us},
+          {"frame_first_us", of.first_frame_us},
+          {"of_pelt", cost_over_pelt(scene, of)},
+          {"missing", of.difference.missing},
+          {"extra", of.difference.extra},
+          {"repeated", of.difference.repeated}};
 }
 
 }  // namespace
@@ -243,24 +310,21 @@ void print_peers(const ScenePeers& scene, std::ostream& out) {
       << ", means over the frames; less is better"
       << (scene.contest == Contest::self ? "; \"of pelt's\" without the skinning of others\n"
                                          : "\n");
-  print_head(out);
-  for (const PeerFigures& figures : scene.methods) print_row(scene, figures, out);
+  constexpr bench::Column kColumns[] = {
+      {"method", "method"},        {"update", "for each pose"}, {"narrow_phase", "narrow phase"},
+      {"skinning_us", "skinning"}, {"update_us", "update"},     {"query_all_us", "all"},
+      {"query_first_us", "first"}, {"frame_all_us", "frame"},   {"frame_first_us", "to first"},
+      {"of_pelt", "of pelt's"},    {"missing", "missing"},      {"extra", "extra"}};
+  std::vector<Row> rows;
+  for (const PeerFigures& figures : scene.methods) rows.push_back(row_of(scene, figures));
+  bench::print_table(kColumns, rows, out, {18, 14});
   out << '\n';
 }
 
 void write_peers_csv(std::span<const ScenePeers> scenes, std::ostream& out) {
-  out << "scene,triangles,frames,frames_in_contact,contacts,repetitions,method,version,update,"
-         "narrow_phase,skinning_us,update_us,query_all_us,query_first_us,frame_all_us,"
-         "frame_first_us,missing,extra,repeated\n";
+  lab::CsvWriter csv(out);
   for (const ScenePeers& scene : scenes)
-    for (const PeerFigures& figures : scene.methods)
-      out << scene.scene << ',' << scene.triangles << ',' << scene.frames << ','
-          << scene.frames_in_contact << ',' << scene.contacts << ',' << scene.repetitions << ','
-          << figures.method << ',' << figures.version << ",\"" << figures.update << "\","
-          << figures.narrow_phase << ',' << figures.skinning_us << ',' << figures.update_us << ','
-          << figures.all_us << ',' << figures.first_us << ',' << figures.frame_us << ','
-          << figures.first_frame_us << ',' << figures.difference.missing << ','
-          << figures.difference.extra << ',' << figures.difference.repeated << '\n';
+    for (const PeerFigures& figures : scene.methods) csv.write(row_of(scene, figures));
 }
 
 }  // namespace pelt::tools

@@ -43,7 +43,7 @@ std::span<const Peer> all_peers();
 /// Null if no peer has this name.
 std::unique_ptr<rivals::PosedMeshMethod> make_peer(std::string_view name);
 
-/// The same for a body against itself; see self_adapters.hpp.
+/// The same for a body against itself; see adapters.hpp.
 std::span<const Peer> all_self_peers();
 std::unique_ptr<rivals::PosedMeshMethod> make_self_peer(std::string_view name);
 

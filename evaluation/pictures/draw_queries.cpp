@@ -3,7 +3,7 @@
 /// "crease" are those of docs/self-collision.md (docs/figures/self).
 
 #include "evaluation/pictures/pictures.hpp"
-#include "evaluation/reproduce/picture.hpp"
+#include "evaluation/reproduce/drawing.hpp"
 #include "tools/pelt/output/process.hpp"
 
 #include <algorithm>

@@ -9,17 +9,20 @@ namespace pelt::pictures {
 
 using reproduce::Picture;
 
-Picture bounds_picture();    // bounds_picture.cpp
-Picture culling_picture();   // culling_picture.cpp
-Picture ray_picture();       // ray_picture.cpp
-Picture distance_picture();  // distance_picture.cpp
-Picture contact_picture();   // contact_picture.cpp
-Picture terrain_picture();   // terrain_picture.cpp
-Picture inside_picture();    // inside_picture.cpp
-Picture morph_picture();     // morph_picture.cpp
-Picture skinning_picture();  // skinning_picture.cpp
+// query_pictures.cpp
+Picture bounds_picture();
+Picture culling_picture();
+Picture ray_picture();
+Picture distance_picture();
+Picture contact_picture();
+Picture terrain_picture();
+Picture inside_picture();
 
-/// Contacts of a character with itself. All in self_pictures.cpp.
+// skinning_pictures.cpp
+Picture morph_picture();
+Picture skinning_picture();
+
+// self_pictures.cpp: contacts of a character with itself
 Picture through_picture();
 Picture resting_picture();
 Picture crease_picture();

@@ -2,7 +2,6 @@
 /// through the belly. They drop those of a belt that rests on the waist, and of a crease of the
 /// skin. Triangles in contact glow.
 
-#include "evaluation/pictures/frame.hpp"
 #include "evaluation/pictures/marks.hpp"
 #include "evaluation/pictures/pictures.hpp"
 #include "tools/pelt/scene/scene_query.hpp"

@@ -5,8 +5,7 @@
 
 #include "evaluation/bench/moving_bench.hpp"
 #include "evaluation/methods/moving_methods.hpp"
-#include "evaluation/reproduce/method_title.hpp"
-#include "evaluation/reproduce/scene_texts.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
 #include "text/format.hpp"
 
 #include <algorithm>
@@ -137,21 +136,21 @@ struct StepScene {
   Result<scenes::Scene> scene;
 };
 
-struct Walk {
+struct Course {
   double start, speed;
   std::array<double, 3> translation;
   std::array<double, 4> rotation;
   std::array<double, 3> velocity;
 };
 
-scenes::Instance walker(const Walk& walk) {
+scenes::Instance walker(const Course& course) {
   scenes::Instance instance;
   instance.clip = "walk";
-  instance.start = walk.start;
-  instance.speed = walk.speed;
-  instance.translation = walk.translation;
-  instance.rotation = walk.rotation;
-  instance.velocity = walk.velocity;
+  instance.start = course.start;
+  instance.speed = course.speed;
+  instance.translation = course.translation;
+  instance.rotation = course.rotation;
+  instance.velocity = course.velocity;
   return instance;
 }
 

@@ -2,7 +2,7 @@
 
 /// The tables of the section on queries between frames.
 
-#include "evaluation/reproduce/experiment.hpp"
+#include "evaluation/reproduce/report.hpp"
 #include "scenes/scene.hpp"
 
 #include <string>

@@ -2,9 +2,8 @@
 /// a figure of a table, or a ratio of two figures.
 
 #include "base/assert.hpp"
-#include "evaluation/reproduce/comparison_methods.hpp"
-#include "evaluation/reproduce/comparison_tables.hpp"
-#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/reproduce/comparison.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,23 +1,223 @@
 #include "evaluation/reproduce/figures.hpp"
 
-#include "evaluation/reproduce/facets.hpp"
-#include "evaluation/reproduce/lens.hpp"
-#include "evaluation/reproduce/level_spheres.hpp"
+#include "base/vec3.hpp"
 #include "evaluation/reproduce/stage.hpp"
-#include "evaluation/reproduce/view.hpp"
 #include "skin/skin.hpp"
 #include "tools/pelt/scene/scene_query.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
+#include <string>
 
 namespace pelt::reproduce {
-namespace {
 
 using detail::Palette;
 using detail::Vec3d;
 using paper::Float4;
+using tools::picture::pov_vector;
 using tools::picture::PovCamera;
 using tools::picture::StillFrame;
+using tools::scene::PosedInstance;
+
+std::vector<std::uint32_t> nodes_on_level(const paper::SphereTree& tree, std::uint32_t level) {
+  std::vector<std::uint32_t> nodes = {0};
+  for (std::uint32_t l = 1; l < level; ++l) {
+    std::vector<std::uint32_t> below;
+    for (const std::uint32_t n : nodes)
+      for (std::uint32_t c = 0; c < tree.nodes[n].child_count; ++c)
+        below.push_back(tree.nodes[n].first_child + c);
+    nodes = std::move(below);
+  }
+  return nodes;
+}
+
+std::vector<Float4> all_refitted(const paper::SphereModel& model, const Palette& palette) {
+  paper::Refit refit(model, static_cast<std::uint32_t>(palette.joints().size()));
+  std::vector<Float4> spheres;
+  for (std::uint32_t n = 0; n < model.tree.nodes.size(); ++n)
+    spheres.push_back(refit.sphere(n, palette));
+  return spheres;
+}
+
+AskedPair ask_on_demand(const detail::SkinnedMesh& mesh, const paper::SphereModel& model,
+                        const std::array<Palette, 2>& palettes) {
+  std::array<paper::OnDemandBody, 2> bodies = {paper::OnDemandBody(mesh, model),
+                                               paper::OnDemandBody(mesh, model)};
+  paper::Scratch scratch;
+  std::vector<Contact> contacts;
+  AskedPair pair;
+  pair.work = collide(bodies[0], palettes[0], bodies[1], palettes[1], scratch, contacts,
+                      std::numeric_limits<std::uint32_t>::max());
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.bodies[i].spheres = all_refitted(model, palettes[i]);
+    for (std::uint32_t n = 0; n < model.tree.nodes.size(); ++n)
+      pair.bodies[i].refitted.push_back(!bodies[i].is_stale(n));
+  }
+  return pair;
+}
+
+namespace {
+
+/// Fraction of the distance to the stage: in front of everything on the stage.
+constexpr double kDepth = 0.5;
+/// Width of rings and lines over the half height of the picture.
+constexpr double kLine = 0.006;
+
+constexpr const char* kRimTexture = " texture {Rim} no_shadow}\n";
+
+/// A ring that faces the camera.
+std::string ring(const Vec3d& centre, double radius, double line, const View& view) {
+  const auto numbers = [](const Vec3d& v) {
+    const std::string text = pov_vector(v);
+    return text.substr(1, text.size() - 2);
+  };
+  return "torus {" + std::to_string(radius) + ", " + std::to_string(line) + " matrix <" +
+         numbers(view.right) + ", " + numbers(view.ahead) + ", " + numbers(view.up) + ", " +
+         numbers(centre) + ">" + kRimTexture;
+}
+
+/// A cone, cut off at both ends, with the camera as its tip, so that its wall is invisible.
+std::string funnel(const Vec3d& near, const Vec3d& far, double radius, const Vec3d& from,
+                   const Vec3d& centre) {
+  const double whole = length(centre - from);
+  return "cone {" + pov_vector(near) + ", " + std::to_string(radius * length(near - from) / whole) +
+         ", " + pov_vector(far) + ", " + std::to_string(radius * length(far - from) / whole) + "}";
+}
+
+}  // namespace
+
+std::string magnified(const Lens& lens, const std::string& objects, const Vec3d& shift,
+                      const PovCamera& camera) {
+  const View view(camera);
+  const double depth = kDepth * length(camera.at - camera.from);
+  const double half = length(view.seen_at(0, 1, depth) - view.seen_at(0, 0, depth));
+  const double radius = lens.radius * half, line = kLine * half;
+  const Vec3d centre = view.seen_at(lens.x, lens.y, depth);
+  const Vec3d along = unit(centre - camera.from);
+  const Vec3d near = centre - (1.5 * radius) * along, far = centre + (1.5 * radius) * along;
+  const Vec3d marked = camera.from + kDepth * (lens.focus - camera.from);
+  const double mark = kDepth * lens.reach;
+  const Vec3d way = unit(centre - marked);
+  return "union {\n" + objects + "translate " + pov_vector(shift - lens.focus) + " scale " +
+         std::to_string(radius / lens.reach) + " translate " + pov_vector(centre) +
+         "\nclipped_by {" + funnel(near, far, radius, camera.from, centre) + "} no_shadow}\n" +
+         "disc {" + pov_vector(far) + ", " + pov_vector(along) + ", " +
+         std::to_string(radius * length(far - camera.from) / length(centre - camera.from)) +
+         " texture {Backdrop} no_shadow}\n" + ring(centre, radius, line, view) +
+         ring(marked, mark, 0.6 * line, view) + "cylinder {" + pov_vector(marked + mark * way) +
+         ", " + pov_vector(centre - radius * way) + ", " + std::to_string(0.6 * line) + kRimTexture;
+}
+
+Vec3d densest_contact(const tools::picture::StillFrame& still, double reach) {
+  std::vector<Vec3d> middles;
+  for (std::size_t i = 0; i < still.instances.size(); ++i) {
+    const tools::scene::PosedInstance& instance = still.instances[i];
+    for (std::size_t t = 0; t < instance.triangles.size(); ++t) {
+      if (!still.touching[i][t]) continue;
+      Vec3d sum(0, 0, 0);
+      for (const std::uint32_t v : instance.triangles[t]) sum = sum + Vec3d(instance.positions[v]);
+      middles.push_back((1. / 3) * sum);
+    }
+  }
+  Vec3d best(0, 0, 0);
+  std::size_t most = 0;
+  for (const Vec3d& middle : middles) {
+    Vec3d sum(0, 0, 0);
+    std::size_t count = 0;
+    for (const Vec3d& other : middles) {
+      if (squared_length(other - middle) > reach * reach) continue;
+      sum = sum + other;
+      ++count;
+    }
+    if (count <= most) continue;
+    most = count;
+    best = (1. / static_cast<double>(count)) * sum;
+  }
+  return best;
+}
+
+namespace {
+
+// Draws characters as their triangles.
+
+/// A ball; everything outside is left out.
+struct Around {
+  detail::Vec3d centre;
+  double reach;
+};
+
+/// Some triangles of an instance, with a flag for those in contact.
+struct Part {
+  std::vector<Triangle> triangles;
+  std::vector<bool> touching;
+};
+
+Part part_of(const PosedInstance& instance, const std::vector<bool>& touching,
+             const Around& around) {
+  Part part;
+  for (std::size_t t = 0; t < instance.triangles.size(); ++t) {
+    const Triangle& triangle = instance.triangles[t];
+    const bool is_near = std::any_of(triangle.begin(), triangle.end(), [&](std::uint32_t v) {
+      return squared_length(Vec3d(instance.positions[v]) - around.centre) <=
+             around.reach * around.reach;
+    });
+    if (!is_near) continue;
+    part.triangles.push_back(triangle);
+    part.touching.push_back(touching[t]);
+  }
+  return part;
+}
+
+/// A three-sided prism along an edge, as the corners of its six triangles.
+void append_prism(const Vec3d& from, const Vec3d& to, double radius, std::vector<Vec3d>& corners) {
+  const Vec3d along = to - from;
+  const Vec3d other = std::fabs(along.y) < std::fabs(along.x) ? Vec3d(0, 1, 0) : Vec3d(1, 0, 0);
+  const Vec3d u = unit(cross(along, other)), v = unit(cross(along, u));
+  const std::array<Vec3d, 3> ring = {radius * u, radius * (-0.5 * u + 0.866 * v),
+                                     radius * (-0.5 * u - 0.866 * v)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d &one = ring[i], &next = ring[(i + 1) % 3];
+    for (const Vec3d& corner :
+         {from + one, from + next, to + next, from + one, to + next, to + one})
+      corners.push_back(corner);
+  }
+}
+
+/// Draws each edge once, also if triangles share it. One mesh, because POV-Ray would test many
+/// cylinders one after the other.
+std::string edges(const PosedInstance& instance, const Part& part, double radius) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> all;
+  for (const Triangle& triangle : part.triangles)
+    for (std::size_t i = 0; i < 3; ++i) all.insert(std::minmax(triangle[i], triangle[(i + 1) % 3]));
+  std::vector<Vec3d> corners;
+  for (const auto& edge : all) {
+    const Vec3d from(instance.positions[edge.first]), to(instance.positions[edge.second]);
+    if (squared_length(to - from) > 0) append_prism(from, to, radius, corners);
+  }
+  std::string text = "mesh {\n";
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+    text += "triangle {" + tools::picture::pov_vector(corners[i]) + ", " +
+            tools::picture::pov_vector(corners[i + 1]) + ", " +
+            tools::picture::pov_vector(corners[i + 2]) + "}\n";
+  return corners.empty() ? "" : text + "texture {Edge} no_shadow}\n";
+}
+
+/// All triangles of a frame's characters that reach into `around`, flat, with dark edges of radius
+/// `edge`. Triangles in contact glow.
+std::string facets(const tools::picture::StillFrame& still, double edge, const Around& around) {
+  std::string text;
+  for (std::size_t i = 0; i < still.instances.size(); ++i) {
+    const Part part = part_of(still.instances[i], still.touching[i], around);
+    if (part.triangles.empty()) continue;
+    const PosedInstance shown = {"", still.instances[i].positions, part.triangles};
+    text += tools::picture::pov_mesh(shown, part.touching, skin_texture(i),
+                                     tools::picture::Shading::flat) +
+            edges(shown, part, edge);
+  }
+  return text;
+}
 
 std::string ball(const Float4& sphere, const char* texture) {
   return reproduce::ball(Vec3d(sphere[0], sphere[1], sphere[2]), sphere[3], texture);

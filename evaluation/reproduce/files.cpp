@@ -1,8 +1,8 @@
 #include "evaluation/reproduce/files.hpp"
 
-#include "evaluation/reproduce/chart.hpp"
+#include "evaluation/bench/csv.hpp"
+#include "evaluation/reproduce/drawing.hpp"
 #include "evaluation/reproduce/html.hpp"
-#include "evaluation/reproduce/picture.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/progress.hpp"
 
@@ -22,34 +22,21 @@ using nlohmann::ordered_json;
 
 constexpr const char* kSubfolders[] = {"csv", "charts", "pictures"};
 
-/// RFC 4180: a field with a comma or a quote is quoted.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + "\"";
-}
-
-std::string csv_field(const Cell& cell) {
-  if (!cell.figure) return csv_field(cell.name);
-  std::ostringstream text;
-  text.precision(10);
-  text << *cell.figure;
-  return text.str();
-}
-
 ordered_json json_cell(const Cell& cell) {
   if (cell.figure) return *cell.figure;
   return cell.name.empty() ? ordered_json() : ordered_json(cell.name);
 }
 
+/// The values of a row, by the keys of their columns.
+tools::bench::Row named(const Table& table, const std::vector<Cell>& cells) {
+  tools::bench::Row row;
+  for (std::size_t c = 0; c < cells.size(); ++c) row[table.columns[c].key] = json_cell(cells[c]);
+  return row;
+}
+
 ordered_json json_table(const Table& table) {
   ordered_json rows = ordered_json::array();
-  for (const std::vector<Cell>& cells : table.rows) {
-    ordered_json row;
-    for (std::size_t c = 0; c < cells.size(); ++c) row[table.columns[c].key] = json_cell(cells[c]);
-    rows.push_back(std::move(row));
-  }
+  for (const std::vector<Cell>& cells : table.rows) rows.push_back(named(table, cells));
   return {{"id", table.id}, {"title", table.title}, {"rows", std::move(rows)}};
 }
 
@@ -134,15 +121,11 @@ std::vector<fs::path> replaced_files(const fs::path& folder) {
 }
 
 std::string csv_of(const Table& table) {
-  std::string text;
-  for (const Column& column : table.columns)
-    text += (text.empty() ? "" : ",") + csv_field(column.key);
-  text += '\n';
-  for (const std::vector<Cell>& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) text += (c == 0 ? "" : ",") + csv_field(row[c]);
-    text += '\n';
-  }
-  return text;
+  std::ostringstream text;
+  text.precision(10);
+  lab::CsvWriter csv(text);
+  for (const std::vector<Cell>& cells : table.rows) csv.write(named(table, cells));
+  return text.str();
 }
 
 std::string json_of(const Report& report) {

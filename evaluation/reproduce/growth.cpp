@@ -1,11 +1,277 @@
 #include "evaluation/reproduce/growth.hpp"
 
-#include "evaluation/reproduce/power_law.hpp"
+#include "base/assert.hpp"
+#include "evaluation/programs/crowd.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
 #include "scenes/creature.hpp"
+#include "text/format.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/statistics.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
 
 namespace pelt::reproduce {
+
+double fitted_exponent(std::span<const Measured> points) {
+  std::vector<Measured> logs;
+  Measured mean;
+  for (const Measured& point : points) {
+    if (point.size <= 0 || point.value <= 0) continue;
+    logs.push_back({std::log(point.size), std::log(point.value)});
+    mean.size += logs.back().size;
+    mean.value += logs.back().value;
+  }
+  mean.size /= static_cast<double>(logs.size());
+  mean.value /= static_cast<double>(logs.size());
+  double product = 0, square = 0;
+  for (const Measured& log : logs) {
+    product += (log.size - mean.size) * (log.value - mean.value);
+    square += (log.size - mean.size) * (log.size - mean.size);
+  }
+  PELT_ASSERT(square > 0);
+  return product / square;
+}
+
+namespace {
+
+/// Time per frame: the median over the frames. Contacts: of the last frame.
+struct PairwiseTiming {
+  double frame_us = 0;
+  std::size_t contacts = 0;
+};
+
+/// Runs a method on the frames of a crowd, pair by pair. As in CrowdRun, a frame consists of
+/// setting all palettes and finding all contacts.
+class PairwiseRun {
+ public:
+  /// `job` must outlive the run.
+  PairwiseRun(const programs::CrowdJob& job, methods::MethodKind method);
+
+  PairwiseTiming run();
+
+ private:
+  void set_palettes();
+  void collide_pairs();
+
+  const programs::CrowdJob& job_;
+  std::unique_ptr<methods::Method> method_;
+  std::vector<Matrix4> palettes_;
+  std::vector<Contact> contacts_;
+};
+
+PairwiseRun::PairwiseRun(const programs::CrowdJob& job, methods::MethodKind method)
+    : job_(job), method_(method.make()) {
+  for (const SkinnedModel& model : job.models) method_->add(model);
+}
+
+PairwiseTiming PairwiseRun::run() {
+  std::vector<double> times;
+  for (std::uint32_t frame = 0; frame < job_.frame_count; ++frame) {
+    job_.pose(frame, palettes_);
+    contacts_.clear();
+    tools::bench::Stopwatch watch;
+    set_palettes();
+    collide_pairs();
+    watch.stop();
+    times.push_back(watch.microseconds());
+  }
+  return {tools::output::median(times), contacts_.size()};
+}
+
+void PairwiseRun::set_palettes() {
+  std::span<const Matrix4> rest = palettes_;
+  for (std::uint32_t body = 0; body < job_.models.size(); ++body) {
+    const std::uint32_t joints = job_.models[body].joint_count();
+    const Result<void> taken = method_->set_palette(body, rest.first(joints));
+    PELT_ASSERT(taken);
+    rest = rest.subspan(joints);
+  }
+}
+
+void PairwiseRun::collide_pairs() {
+  for (std::uint32_t a = 0; a < job_.models.size(); ++a)
+    for (std::uint32_t b = a + 1; b < job_.models.size(); ++b)
+      method_->collide(a, b, contacts_, {});
+}
+
+// Two creatures that face each other, queried for all contacts.
+
+/// A distance at which arms reach into the other creature.
+constexpr double kInterfering = 0.6;
+
+Table empty_table(const char* id, const char* title, const Column& size, const std::string& note) {
+  Table table = {id, title, {size, {"contacts", "contacts"}}, {}, note};
+  for (std::size_t i = 0; i < kPairMethods.size(); ++i)
+    table.columns.push_back(kGrowingMethods[i].column());
+  return table;
+}
+
+/// Appends contacts and times of one pair.
+Result<void> append_row(double size, const scenes::Character& character, double distance,
+                        const Conditions& conditions, Table& table) {
+  const auto figures = measure_scene(facing_pair(character, distance), kPairMethods, 1, conditions);
+  if (!figures) return figures.error();
+  std::vector<Cell> row = {size, contact_count(*figures)};
+  for (const methods::MethodKind method : kPairMethods)
+    row.push_back(mean_us(*figures, method, tools::bench::Question::all));
+  table.rows.push_back(std::move(row));
+  return {};
+}
+
+/// The same for two creatures that intersect. Returns the number of triangles of each.
+Result<std::size_t> append_generated(double size, const scenes::CreatureOptions& options,
+                                     const Conditions& conditions, Table& table) {
+  const Result<scenes::Character> character = scenes::generate_character(options);
+  if (!character) return character.error();
+  const auto done = append_row(size, *character, kInterfering, conditions, table);
+  if (!done) return done.error();
+  return character->asset.triangles.size();
+}
+
+/// "Two creatures of 56 joints, 0.6 units apart; all contacts."
+std::string interfering_pair(std::size_t count, const char* things) {
+  return "Two creatures of " + text::with_commas(count) + " " + things + ", " +
+         text::fixed(kInterfering, 1) + " units apart; all contacts.";
+}
+
+}  // namespace
+
+Result<Table> growth_by_triangles(std::span<const std::uint32_t> triangles,
+                                  const Conditions& conditions) {
+  Table table = empty_table("growth_triangles", "Time of a query, by number of triangles",
+                            {"triangles", "triangles of each"},
+                            interfering_pair(scenes::kCreature.joints, "joints"));
+  for (const std::uint32_t count : triangles) {
+    scenes::CreatureOptions options = scenes::kCreature;
+    options.triangles = count;
+    const auto done = append_generated(count, options, conditions, table);
+    if (!done) return done.error();
+  }
+  return table;
+}
+
+Result<Table> growth_by_joints(std::span<const std::uint32_t> joints,
+                               const Conditions& conditions) {
+  Table table = empty_table("growth_joints", "Time of a query, by number of joints",
+                            {"joints", "joints of each"}, "");
+  for (const std::uint32_t count : joints) {
+    scenes::CreatureOptions options = scenes::kCreature;
+    options.joints = count;
+    const auto triangles = append_generated(count, options, conditions, table);
+    if (!triangles) return triangles.error();
+    table.note = interfering_pair(*triangles, "triangles");
+  }
+  return table;
+}
+
+Result<Table> growth_by_depth(std::uint32_t triangles, std::span<const double> distances,
+                              const Conditions& conditions) {
+  scenes::CreatureOptions options = scenes::kCreature;
+  options.triangles = triangles;
+  const auto character = scenes::generate_character(options);
+  if (!character) return character.error();
+  Table table =
+      empty_table("growth_depth", "Time of a query, by depth", {"distance", "distance [units]"},
+                  "Two creatures 1.8 units tall that face each other, from apart to the "
+                  "same position; all contacts.");
+  for (const double distance : distances) {
+    const auto done = append_row(distance, *character, distance, conditions, table);
+    if (!done) return done.error();
+  }
+  return table;
+}
+
+namespace {
+
+// Walking crowds, queried as a whole by one thread, and pair by pair.
+
+/// Units of the creature per metre of the crowd; dense enough that small crowds have contacts too.
+constexpr double kMetre = 1.2;
+
+/// A creature, and crowds of it.
+struct Walkers {
+  explicit Walkers(const asset::Asset& asset, const SkinnedModel& m) : model(m), phases(asset) {}
+
+  SkinnedModel model;
+  programs::WalkPhases phases;
+};
+
+Result<Walkers> make_walkers() {
+  const Result<asset::Asset> asset = scenes::make_creature();
+  if (!asset) return asset.error();
+  const std::vector<Matrix4> samples = programs::WalkPhases(*asset).samples();
+  const Result<SkinnedModel> model = build_model(asset->mesh(), {.sample_palettes = samples});
+  if (!model) return model.error();
+  return Walkers(*asset, *model);
+}
+
+/// Adds the times of all methods that are queried pair by pair to those of the crowd.
+Result<void> append_pairwise(const programs::CrowdJob& job, const programs::CrowdTiming& crowd,
+                             std::vector<Cell>& row) {
+  for (const methods::MethodKind method : kPairMethods) {
+    const PairwiseTiming timing = PairwiseRun(job, method).run();
+    if (timing.contacts != crowd.contacts)
+      return Error{ErrorCode::invalid_argument,
+                   std::string(method.name) + " finds " + std::to_string(timing.contacts) +
+                       " contacts between " + std::to_string(job.models.size()) +
+                       " walkers, but the crowd query finds " + std::to_string(crowd.contacts) +
+                       ": please report this"};
+    row.push_back(timing.frame_us);
+  }
+  return {};
+}
+
+Result<std::vector<Cell>> crowd_row(const Walkers& walkers, std::uint32_t count, bool by_pairs,
+                                    const Conditions& conditions) {
+  const programs::WalkingCrowd crowd(walkers.phases, count, kMetre);
+  programs::CrowdJob job;
+  job.models.assign(count, walkers.model);
+  job.frame_count = conditions.is_quick ? 3 : 9;
+  job.pose = [&](std::uint32_t frame, std::vector<Matrix4>& palettes) {
+    crowd.pose(frame, palettes);
+  };
+  const programs::CrowdTiming timing =
+      programs::CrowdRun(job).best_of(conditions.is_quick ? 1 : 3, 1);
+  std::vector<Cell> row = {static_cast<double>(count), static_cast<double>(timing.contacts),
+                           static_cast<double>(timing.stats.intersecting_pairs)};
+  if (by_pairs) {
+    if (const auto done = append_pairwise(job, timing, row); !done) return done.error();
+  } else {
+    row.resize(row.size() + kPairMethods.size());
+  }
+  row.push_back(1000 * timing.frame_ms);
+  return row;
+}
+
+}  // namespace
+
+Result<Table> growth_by_instances(std::span<const std::uint32_t> instances,
+                                  std::uint32_t most_by_pairs, const Conditions& conditions) {
+  const Result<Walkers> walkers = make_walkers();
+  if (!walkers) return walkers.error();
+  Table table = {
+      "growth_instances",
+      "Time per frame, by number of instances",
+      {{"instances", "instances"},
+       {"contacts", "contacts"},
+       {"touching_pairs", "pairs in contact"}},
+      {},
+      "Creatures of " + text::with_commas(walkers->model.triangle_count()) +
+          " triangles that walk on a plain, 0.5 to 1.4 units from their neighbours. The time is "
+          "that of setting palettes and finding all contacts on one thread. Contacts are those of "
+          "the last timed frame."};
+  for (const GrowingMethod& method : kGrowingMethods) table.columns.push_back(method.column());
+  for (const std::uint32_t count : instances) {
+    auto row = crowd_row(*walkers, count, count <= most_by_pairs, conditions);
+    if (!row) return row.error();
+    table.rows.push_back(std::move(*row));
+  }
+  return table;
+}
+
 namespace {
 
 constexpr std::array<std::uint32_t, 7> kTriangles = {1000,   3162,   10000,  31623,

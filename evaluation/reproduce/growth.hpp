@@ -4,11 +4,22 @@
 /// column for each method.
 
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/reproduce/experiment.hpp"
+#include "evaluation/reproduce/report.hpp"
 
 #include <array>
+#include <span>
 
 namespace pelt::reproduce {
+
+/// A point of a curve.
+struct Measured {
+  double size = 0, value = 0;
+};
+
+/// The exponent b of the law value = a size^b that fits best (least squares of the logarithms).
+/// Ignores points with a size or value of 0. Precondition: the other points have at least two
+/// sizes.
+double fitted_exponent(std::span<const Measured> points);
 
 /// The methods that are queried pair by pair.
 inline constexpr std::array kPairMethods = {methods::kPaper, lab::kPaperEager, methods::kEager,

@@ -1,8 +1,6 @@
-#include "evaluation/reproduce/image_space.hpp"
+#include "evaluation/reproduce/comparison.hpp"
 
-#include "evaluation/reproduce/comparison_methods.hpp"
-#include "evaluation/reproduce/facing_pair.hpp"
-#include "evaluation/reproduce/method_title.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
 #include "evaluation/rivals/layered_depth.hpp"
 #include "tools/pelt/bench/measure.hpp"
 

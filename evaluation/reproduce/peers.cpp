@@ -2,9 +2,8 @@
 
 #include "evaluation/peers/moving_peer_figures.hpp"
 #include "evaluation/peers/peer_figures.hpp"
-#include "evaluation/reproduce/experiment.hpp"
-#include "evaluation/reproduce/method_title.hpp"
-#include "evaluation/reproduce/scene_texts.hpp"
+#include "evaluation/reproduce/report.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
 #include "text/format.hpp"
 #include "tools/pelt/arguments/values.hpp"
 

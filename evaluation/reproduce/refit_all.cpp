@@ -1,23 +1,39 @@
-#include "evaluation/reproduce/refit_all.hpp"
-
 #include <pelt/pose.hpp>
 
 #include "base/assert.hpp"
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/reproduce/median_time.hpp"
+#include "evaluation/reproduce/characters.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
-#include "evaluation/reproduce/specimen.hpp"
+#include "evaluation/reproduce/refit_cost.hpp"
 #include "paper/eager.hpp"
 #include "paper/on_demand.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "pose/pose_boxes.hpp"
+#include "tools/pelt/bench/stopwatch.hpp"
+#include "tools/pelt/output/statistics.hpp"
+
+#include <cstdint>
+#include <vector>
 
 namespace pelt::reproduce {
 namespace {
 
 using detail::Palette;
 using methods::MethodKind;
+
+/// Duration of `work` in microseconds: the median of `repetitions` runs.
+template <typename Work>
+double median_us(std::uint32_t repetitions, const Work& work) {
+  std::vector<double> times;
+  for (std::uint32_t r = 0; r < repetitions; ++r) {
+    tools::bench::Stopwatch watch;
+    work();
+    watch.stop();
+    times.push_back(watch.microseconds());
+  }
+  return tools::output::median(times);
+}
 
 std::uint32_t repetitions_of(const Conditions& conditions) { return conditions.is_quick ? 5 : 25; }
 

@@ -1,7 +1,6 @@
 #include "evaluation/reproduce/scene_figures.hpp"
 
 #include "base/assert.hpp"
-#include "evaluation/reproduce/method_title.hpp"
 #include "text/format.hpp"
 #include "tools/pelt/bench/bench_scene.hpp"
 #include "tools/pelt/methods/command_methods.hpp"
@@ -10,12 +9,94 @@
 #include <sstream>
 
 namespace pelt::reproduce {
-namespace {
 
 using methods::MethodKind;
 using tools::bench::Figures;
 using tools::bench::Question;
 using tools::bench::SceneFigures;
+
+scenes::Scene facing_pair(const scenes::Character& character, double distance,
+                          std::uint32_t phases) {
+  scenes::Scene scene;
+  scene.name = "two of " + character.name;
+  scene.characters = {character};
+  scene.frame_count = phases;
+  if (const asset::Clip* walk = character.asset.find_clip("walk"); walk && walk->duration > 0)
+    scene.fps = phases / static_cast<double>(walk->duration);
+  scenes::Instance left, right;
+  left.clip = right.clip = "walk";
+  left.start = 0.2;
+  right.start = 0.65;
+  left.translation = {0, 0, -distance / 2};
+  right.translation = {0, 0, distance / 2};
+  right.rotation = {0, 1, 0, 0};
+  scene.instances = {left, right};
+  return scene;
+}
+
+scenes::Scene closing_pair(const scenes::Character& character, double from, double to,
+                           std::uint32_t frames) {
+  scenes::Scene scene = facing_pair(character, from, frames);
+  const double seconds = (frames - 1) / scene.fps;
+  scene.instances[0].velocity = {0, 0, (from - to) / 2 / seconds};
+  scene.instances[1].velocity = {0, 0, (to - from) / 2 / seconds};
+  return scene;
+}
+
+namespace {
+
+struct Words {
+  MethodKind method;
+  const char *title, *description;
+};
+
+constexpr Words kWords[] = {
+    {methods::kOnDemand, "Pelt",
+     "the library: a tree of boxes with up to eight slots per node; vertices are skinned and boxes "
+     "computed only in nodes that a query visits"},
+    {methods::kEager, "Pelt eager",
+     "the same tree and query, with all vertices skinned and all boxes computed bottom-up first: "
+     "our fastest method that refits everything"},
+    {lab::kRigid, "Pelt rigid",
+     "the same tree and query, with the tree built over the posed mesh, which is not timed: the "
+     "cost of a query between rigid bodies"},
+    {methods::kPaper, "paper on demand",
+     "Kavan & Zara 2005: a tree of spheres, refitted on demand with the optimised bound"},
+    {lab::kPaperEq2, "paper eq. 2", "the same with the bound of their equation 2"},
+    {lab::kPaperEager, "paper bottom-up",
+     "the method that the paper compares with: all vertices skinned, the same tree refitted "
+     "bottom-up"},
+    {lab::kPaperRigid, "paper rigid",
+     "a tree of spheres built over the posed mesh, which is not timed"},
+    {lab::kAabbRefit, "AABB refit",
+     "van den Bergen 1997: all vertices skinned, a binary tree of boxes refitted bottom-up"},
+    {lab::kAabbRebuild, "AABB rebuild", "the same tree, built again for every pose"},
+    {lab::kHybrid, "AABB hybrid",
+     "Larsson & Akenine-Moller 2001: all vertices skinned, the upper half of that tree "
+     "refitted, the lower half only where a query visits it"},
+    {lab::kHash, "hash",
+     "Teschner et al. 2003: all vertices skinned, all triangles hashed into the cells of a grid"},
+    {lab::kHashOverlap, "hash in overlap",
+     "the same, only for triangles in the overlap of the two bodies' boxes, with sorted cells"},
+    {lab::kBdTree, "BD-tree",
+     "James & Pai 2004: spheres refitted on demand from the entries of the joint "
+     "matrices, as a reduced model"},
+    {methods::kBrute, "brute force", "every triangle of one against every triangle of the other"},
+};
+
+const Words& words_of(MethodKind method) {
+  for (const Words& words : kWords)
+    if (words.method == method) return words;
+  PELT_ASSERT(false);
+  return kWords[0];
+}
+
+}  // namespace
+
+std::string title_of(MethodKind method) { return words_of(method).title; }
+std::string description_of(MethodKind method) { return words_of(method).description; }
+
+namespace {
 
 std::vector<Cell> method_row(const SceneFigures& scene, const Figures& all) {
   const Figures& first = figures_of(scene, all.method, Question::first);

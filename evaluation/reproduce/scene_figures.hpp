@@ -1,15 +1,39 @@
 #pragma once
 
-/// Measures methods on a scene as `pelt bench` does, and makes tables of the figures.
+/// The scenes of experiments and the names of methods in the report. Measures methods on a scene as
+/// `pelt bench` does, and makes tables of the figures.
 
 #include "evaluation/methods/lab_methods.hpp"
-#include "evaluation/reproduce/experiment.hpp"
+#include "evaluation/reproduce/report.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/bench/figures.hpp"
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace pelt::reproduce {
+
+/// Two instances that walk on the spot in different phases and face each other, `distance` apart
+/// from middle to middle. The frames are phases at even intervals of the walk.
+scenes::Scene facing_pair(const scenes::Character& character, double distance,
+                          std::uint32_t phases = 1);
+
+/// The same, with the distance shrinking from frame to frame.
+scenes::Scene closing_pair(const scenes::Character& character, double from, double to,
+                           std::uint32_t frames);
+
+/// The text of the scenes of evaluation/scenes, so that the program needs no other files.
+std::string_view approaching_scene();
+std::string_view passing_through_scene();
+std::string_view crowd_scene();
+
+/// The name of a method in text, tables and legends of the report. Keys of columns use the name on
+/// the command line.
+std::string title_of(methods::MethodKind method);
+
+/// Describes the method and names its paper, for readers who do not know the code.
+std::string description_of(methods::MethodKind method);
 
 /// Measures all contacts and the first one, with hot caches, on at most `most_frames` evenly spaced
 /// frames (in a quick run a fourth of that). Fails if methods give different answers.

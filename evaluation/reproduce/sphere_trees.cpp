@@ -1,9 +1,9 @@
 /// The trees of section 5: spheres, levels and children before and after collapsing, a sweep over
 /// the paper's constant C (section 3.1), and Pelt's own tree of the same characters.
 
-#include "evaluation/reproduce/experiment.hpp"
+#include "evaluation/reproduce/characters.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
-#include "evaluation/reproduce/specimen.hpp"
+#include "evaluation/reproduce/report.hpp"
 #include "geometry/box4.hpp"
 #include "model/model.hpp"
 #include "paper/on_demand.hpp"

@@ -1,9 +1,9 @@
 /// Table 2 of the paper: mean radii of refitted spheres, level by level, between those of the rest
 /// pose and the least that any refit could reach; and the same comparison for Pelt's boxes.
 
+#include "evaluation/reproduce/characters.hpp"
 #include "evaluation/reproduce/figures.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
-#include "evaluation/reproduce/specimen.hpp"
 #include "model/model.hpp"
 #include "model/node_box.hpp"
 #include "model/unpack.hpp"

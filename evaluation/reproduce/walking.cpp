@@ -4,7 +4,6 @@
 #include "evaluation/reproduce/figures.hpp"
 #include "evaluation/reproduce/paper_figures.hpp"
 #include "evaluation/reproduce/scene_figures.hpp"
-#include "evaluation/reproduce/scene_texts.hpp"
 
 namespace pelt::reproduce {
 namespace {
@@ -12,7 +11,7 @@ namespace {
 using methods::MethodKind;
 using tools::bench::Question;
 
-constexpr std::array kMethods = {methods::kPaper, lab::kPaperEager, methods::kEager,
+constexpr std::array kWalking = {methods::kPaper, lab::kPaperEager, methods::kEager,
                                  methods::kOnDemand, lab::kRigid};
 
 /// The methods that refit everything first.
@@ -92,7 +91,7 @@ struct Walk {
 Result<Section> measure_walk(const Walk& walk, const Conditions& conditions) {
   const Result<scenes::Scene> scene = scenes::parse_scene(walk.scene, {});
   if (!scene) return scene.error();
-  const auto figures = measure_scene(*scene, kMethods, walk.most_frames, conditions);
+  const auto figures = measure_scene(*scene, kWalking, walk.most_frames, conditions);
   if (!figures) return figures.error();
   Result<Picture> picture = walk.picture(*scene, conditions);
   if (!picture) return picture.error();

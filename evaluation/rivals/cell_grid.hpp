@@ -4,7 +4,7 @@
 /// intersection's low corner, because the cell number of a coordinate is monotonic, also with
 /// rounding. A pair that is found in several cells is reported in that cell only.
 ///
-/// The hash table of Teschner et al. 2003 (hash.hpp): the cell (i, j, k) is at index (i 73856093
+/// The hash table of Teschner et al. 2003 (hash.cpp): the cell (i, j, k) is at index (i 73856093
 /// xor j 19349663 xor k 83492791) mod n. Time stamps replace clearing. Entries store their cell, so
 /// entries of other cells at the same index are skipped.
 ///

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/rivals/touching.hpp"
+#include "evaluation/rivals/stages.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -38,7 +38,7 @@ struct TreeOptions {
 std::unique_ptr<PosedMeshMethod> make_aabb_refit(const TreeOptions& options = {});
 std::unique_ptr<PosedMeshMethod> make_aabb_rebuild(const TreeOptions& options = {});
 
-/// A tree of boxes whose lower half is refitted on demand: hybrid.cpp.
+/// A tree of boxes whose lower half is refitted on demand: aabb.cpp.
 std::unique_ptr<PosedMeshMethod> make_hybrid(const TreeOptions& options = {});
 
 struct HashOptions {
@@ -51,5 +51,9 @@ std::unique_ptr<PosedMeshMethod> make_hash(const HashOptions& options = {});
 
 /// The same, only where the boxes of the bodies overlap: hash_overlap.cpp.
 std::unique_ptr<PosedMeshMethod> make_hash_overlap(const HashOptions& options = {});
+
+/// All bodies hashed into one grid, which answers the queries of all pairs: hash.cpp.
+/// Precondition of a query: all bodies have been updated.
+std::unique_ptr<PosedMeshMethod> make_hash_crowd(const HashOptions& options = {});
 
 }  // namespace pelt::rivals

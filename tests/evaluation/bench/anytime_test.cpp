@@ -1,7 +1,7 @@
 /// The core of `pelt-lab bench --anytime`.
 
 #include "evaluation/bench/anytime_bench.hpp"
-#include "evaluation/bench/anytime_chart.hpp"
+#include "evaluation/bench/anytime_figures.hpp"
 #include "tools/scene/walkers.hpp"
 
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "evaluation/reproduce/experiment.hpp"
+#include "evaluation/reproduce/report.hpp"
 #include "tools/run_program.hpp"
 #include "tools/test_scenes.hpp"
 

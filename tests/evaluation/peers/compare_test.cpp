@@ -1,4 +1,4 @@
-#include "evaluation/peers/compare.hpp"
+#include "evaluation/peers/peer_figures.hpp"
 
 #include <gtest/gtest.h>
 

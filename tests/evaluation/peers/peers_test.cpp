@@ -3,7 +3,7 @@
 
 #include "evaluation/peers/peers.hpp"
 
-#include "evaluation/peers/compare.hpp"
+#include "evaluation/peers/peer_figures.hpp"
 #include "scenes/creature.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/methods/brute_force.hpp"

@@ -1,6 +1,6 @@
 /// Peers that are asked about a body against itself give the answers that `Peer::answers` states.
 
-#include "evaluation/peers/compare.hpp"
+#include "evaluation/peers/peer_figures.hpp"
 #include "evaluation/peers/peers.hpp"
 #include "self/neighbours.hpp"
 #include "support/skinned_shapes.hpp"

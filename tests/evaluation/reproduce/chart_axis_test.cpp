@@ -1,4 +1,4 @@
-#include "evaluation/reproduce/chart_axis.hpp"
+#include "evaluation/reproduce/drawing.hpp"
 
 #include <gtest/gtest.h>
 

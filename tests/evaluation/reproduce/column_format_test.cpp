@@ -1,6 +1,6 @@
-#include "evaluation/reproduce/column_format.hpp"
+#include "evaluation/reproduce/html.hpp"
 
-#include "evaluation/reproduce/micro_sign.hpp"
+#include "evaluation/reproduce/report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Compares the figures that do not depend on the machine with the paper's.
 
-#include "evaluation/reproduce/experiment.hpp"
+#include "evaluation/reproduce/report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// The pairs for comparing methods have the stated distances.
 
-#include "evaluation/reproduce/facing_pair.hpp"
-#include "evaluation/reproduce/heap_bytes.hpp"
+#include "evaluation/reproduce/comparison.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,9 @@
 
 #include "evaluation/reproduce/figures.hpp"
 
-#include "evaluation/reproduce/facing_pair.hpp"
-#include "evaluation/reproduce/lens.hpp"
-#include "evaluation/reproduce/level_spheres.hpp"
-#include "evaluation/reproduce/scene_texts.hpp"
-#include "evaluation/reproduce/subdivide.hpp"
-#include "evaluation/reproduce/view.hpp"
+#include "evaluation/reproduce/scene_figures.hpp"
+#include "evaluation/reproduce/stage.hpp"
+#include "evaluation/reproduce/subdivision.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "evaluation/reproduce/power_law.hpp"
+#include "evaluation/reproduce/growth.hpp"
 
 #include <gtest/gtest.h>
 

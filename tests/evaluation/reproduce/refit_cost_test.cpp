@@ -1,9 +1,7 @@
 /// The parts of the experiment on refits. Times are not checked.
 
-#include "evaluation/reproduce/refit_all.hpp"
-#include "evaluation/reproduce/refit_flops.hpp"
-#include "evaluation/reproduce/refit_time.hpp"
-#include "evaluation/reproduce/specimen.hpp"
+#include "evaluation/reproduce/refit_cost.hpp"
+#include "evaluation/reproduce/characters.hpp"
 #include "paper/counted_refit.hpp"
 #include "paper/on_demand.hpp"
 #include "scenes/creature.hpp"

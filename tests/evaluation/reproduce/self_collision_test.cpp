@@ -2,8 +2,6 @@
 
 #include "evaluation/reproduce/self_collision.hpp"
 
-#include "evaluation/reproduce/self_stages.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

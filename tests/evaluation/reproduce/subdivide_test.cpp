@@ -1,4 +1,4 @@
-#include "evaluation/reproduce/subdivide.hpp"
+#include "evaluation/reproduce/subdivision.hpp"
 
 #include <pelt/model.hpp>
 

@@ -1,7 +1,6 @@
 /// Tables of cells stay as small as the mesh, even if triangles are large compared to the mean
 /// edge.
 
-#include "evaluation/rivals/hash_crowd.hpp"
 #include "evaluation/rivals/posed_bodies.hpp"
 #include "evaluation/rivals/posed_mesh_method.hpp"
 #include "support/largest_allocation.hpp"

@@ -1,7 +1,6 @@
 /// Every method that starts from posed vertices finds the contacts of brute force, on bodies that
 /// are hard for trees and grids.
 
-#include "evaluation/rivals/hash_crowd.hpp"
 #include "evaluation/rivals/posed_bodies.hpp"
 #include "evaluation/rivals/posed_mesh_method.hpp"
 

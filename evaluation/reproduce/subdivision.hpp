@@ -1,5 +1,7 @@
 #pragma once
 
+/// Subdivided meshes.
+
 #include <pelt/asset.hpp>
 
 namespace pelt::reproduce {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A character in the forms that experiments need.
+/// Characters in the forms that experiments need.
 
 #include <pelt/asset.hpp>
 #include <pelt/model.hpp>
@@ -8,6 +8,9 @@
 #include "scenes/creature.hpp"
 #include "skin/palette.hpp"
 #include "skin/skinned_mesh.hpp"
+
+#include <filesystem>
+#include <vector>
 
 namespace pelt::reproduce {
 
@@ -22,5 +25,8 @@ Result<Specimen> make_specimen(const scenes::CreatureOptions& options);
 
 /// The palette of the clip "walk" at a time.
 detail::Palette walking_palette(const Specimen& specimen, float seconds);
+
+/// The .glb files of a folder, sorted by name; empty if the folder does not exist.
+std::vector<std::filesystem::path> model_files(const std::filesystem::path& folder);
 
 }  // namespace pelt::reproduce

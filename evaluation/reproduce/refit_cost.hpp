@@ -1,7 +1,7 @@
 #pragma once
 
-/// The time of one refit of the paper's method over three possible causes: the joints of a node,
-/// its corners, and the vertices below it.
+/// The tables of the section on the cost of a refit, and the time of one refit of the paper's
+/// method over three possible causes: the joints of a node, its corners, and the vertices below it.
 
 #include "evaluation/reproduce/report.hpp"
 #include "paper/refit.hpp"
@@ -35,5 +35,16 @@ std::vector<NodeClass> time_classes(const paper::SphereModel& model, const detai
 /// The mesh with other weights. All vertices follow the first two joints, with weights that vary
 /// from vertex to vertex, so every node has the same joint set and the same number of corners.
 detail::SkinnedMesh with_one_joint_set(const detail::SkinnedMesh& mesh);
+
+/// The counted operations of a refit beside the formula of section 4.2, one row for each of the
+/// three characters.
+Result<Table> flops_table();
+
+/// Refitting all spheres of two men, on demand and bottom-up, beside the paper's figures.
+Result<Table> all_spheres_table(const Conditions& conditions);
+
+/// Refitting all bounds of the three characters, and building their trees again, by the paper's
+/// methods and by ours.
+Result<Table> rebuild_table(const Conditions& conditions);
 
 }  // namespace pelt::reproduce
