@@ -3,18 +3,15 @@
 /// is a median over poses from all clips; the time of a pose is the best of several runs. The
 /// answers are compared, and nothing is printed if they differ.
 
-#include "pose/open_node.hpp"
-#include "pose/pose.hpp"
+#include "evaluation/bench/csv.hpp"
+#include "evaluation/programs/program.hpp"
 #include "tools/pelt/output/statistics.hpp"
 
-#include <pelt/asset.hpp>
 #include <pelt/bounds.hpp>
 #include <pelt/solid.hpp>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <functional>
 #include <iomanip>
 #include <iostream>
@@ -50,12 +47,6 @@ Box skin_all(Pose& pose, std::vector<Vec3>& positions) {
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
   }
   return box;
-}
-
-void open_all(Pose& pose) {
-  const detail::PosedTree posed = pose.detail().posed_tree();
-  make_table(posed);
-  detail::open_all(posed);
 }
 
 Bounds bounds_of(Pose& pose, std::uint32_t levels = 0) {
@@ -135,28 +126,16 @@ class Questions {
   std::vector<Vec3> positions_;
 };
 
-/// Times a query in microseconds, without setting the palette.
-class Stopwatch {
- public:
-  explicit Stopwatch(int runs) : runs_(runs) {}
-
-  double best(Pose& pose, const std::vector<Matrix4>& palette,
-              const std::function<Answer(Pose&)>& ask) const {
-    double best = 1e30;
-    for (int run = 0; run < runs_; ++run) {
-      (void)pose.set_palette(palette);
-      const auto begin = std::chrono::steady_clock::now();
-      ask(pose);
-      const std::chrono::duration<double, std::micro> took =
-          std::chrono::steady_clock::now() - begin;
-      best = std::min(best, took.count());
-    }
-    return best;
+/// The best time of a query in microseconds, without setting the palette.
+double best_time(Pose& pose, const std::vector<Matrix4>& palette,
+                 const std::function<Answer(Pose&)>& ask, std::uint32_t runs) {
+  double best = HUGE_VAL;
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    (void)pose.set_palette(palette);
+    best = std::min(best, microseconds([&] { ask(pose); }));
   }
-
- private:
-  int runs_;
-};
+  return best;
+}
 
 std::vector<std::vector<Matrix4>> palettes_of(const asset::Asset& asset) {
   constexpr int kOfEachClip = 3;
@@ -178,45 +157,42 @@ bool agree(const Question& question, const Answer& lazy, const Answer& eager) {
   return true;
 }
 
-bool measure(const std::string& path, int runs) {
-  const Result<asset::Asset> asset = asset::load_gltf(path);
-  if (!asset) return std::cerr << asset.error().message << '\n', false;
-  const auto model = build_model(asset->mesh(), {.off_weights = OffWeights::renormalise});
-  if (!model) return std::cerr << model.error().message << '\n', false;
-  Pose pose(*model);
-  const Stopwatch stopwatch(runs);
+Result<void> measure_model(const Subject& subject, std::uint32_t runs, lab::CsvWriter& table) {
+  Pose pose(subject.model);
   Questions questions;
   for (const Question& question : questions.all()) {
     std::vector<double> lazy, eager;
-    for (const std::vector<Matrix4>& palette : palettes_of(*asset)) {
+    for (const std::vector<Matrix4>& palette : palettes_of(subject.character.asset)) {
       if (!pose.set_palette(palette)) continue;
       questions.place(bounds_of(pose).sphere);
       const Answer answer = question.on_demand(pose);
       if (!pose.set_palette(palette) || !agree(question, answer, question.eager(pose)))
-        return std::cerr << path << ": " << question.name << ": answers differ\n", false;
-      lazy.push_back(stopwatch.best(pose, palette, question.on_demand));
-      eager.push_back(stopwatch.best(pose, palette, question.eager));
+        return Error{ErrorCode::invalid_argument,
+                     subject.name + ": " + question.name + ": answers differ"};
+      lazy.push_back(best_time(pose, palette, question.on_demand, runs));
+      eager.push_back(best_time(pose, palette, question.eager, runs));
     }
-    std::cout << path << ',' << question.name << ',' << std::setprecision(3) << median(lazy) << ','
-              << median(eager) << ',' << median(eager) / median(lazy) << std::endl;
+    table.write({{"model", subject.name},
+                 {"question", question.name},
+                 {"on_demand_us", median(lazy)},
+                 {"eager_us", median(eager)},
+                 {"ratio", median(eager) / median(lazy)}});
+    std::cout.flush();
   }
-  return true;
-}
-
-int parse_and_run(int argc, char** argv) {
-  CLI::App app("Measure bounds and culling of posed skins, on demand and with everything skinned");
-  std::vector<std::string> models;
-  int runs = 20;
-  app.add_option("MODELS", models, "Characters with clips (.glb)")->required();
-  app.add_option("--runs", runs, "Number of runs, of which the best counts")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  std::cout << "model,question,on_demand_us,eager_us,ratio\n";
-  for (const std::string& path : models)
-    if (!measure(path, runs)) return 1;
-  return 0;
+  return {};
 }
 
 }  // namespace
 }  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace pelt::programs;
+  std::uint32_t runs = 20;
+  std::cout << std::setprecision(3);
+  pelt::lab::CsvWriter table(std::cout);
+  return measure_characters(
+      {"bounds_and_culls",
+       "Measure bounds and culling of posed skins, on demand and with everything skinned"},
+      argc, argv, {{"--runs", runs, "Number of runs, of which the best counts"}},
+      [&](const Subject& subject) { return measure_model(subject, runs, table); });
+}

@@ -2,13 +2,13 @@
 /// instances of a character, or the instances of a scene. Prints the best of several runs, because
 /// other programs may use the machine. scripts/plot-crowd-growth draws the table.
 
+#include "evaluation/bench/csv.hpp"
 #include "evaluation/programs/crowd.hpp"
+#include "evaluation/programs/program.hpp"
 #include "scenes/scene.hpp"
 #include "tools/pelt/output/output_conflicts.hpp"
 #include "tools/pelt/output/output_file.hpp"
 #include "tools/pelt/output/process.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <string>
@@ -27,28 +27,7 @@ struct Arguments {
 /// The generated character needs more space, because it spreads its arms.
 constexpr double kMetreOfGenerated = 1.9;
 
-/// The figures for one number of instances and one number of threads.
-struct Row {
-  std::size_t instances = 0;
-  std::uint64_t triangles = 0;  ///< of all instances
-  std::uint32_t threads = 0;
-  CrowdTiming timing;
-  std::size_t crowd_bytes = 0, process_bytes = 0;  ///< with the palettes to be set
-};
-
-constexpr const char* kColumns =
-    "instances,triangles,threads,frame_ms,palettes_ms,candidate_pairs,touching_pairs,contacts,"
-    "crowd_mb,process_mb";
-
 double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
-
-std::ostream& operator<<(std::ostream& out, const Row& row) {
-  const CrowdTiming& timing = row.timing;
-  return out << row.instances << ',' << row.triangles << ',' << row.threads << ','
-             << timing.frame_ms << ',' << timing.palettes_ms << ',' << timing.stats.candidate_pairs
-             << ',' << timing.stats.intersecting_pairs << ',' << timing.contacts << ','
-             << megabytes(row.crowd_bytes) << ',' << megabytes(row.process_bytes);
-}
 
 /// Peak memory of the process.
 std::size_t process_bytes() {
@@ -63,17 +42,39 @@ std::uint64_t triangles_of(const CrowdJob& job) {
   return triangles;
 }
 
-/// The first run is a warm-up.
-void measure(const CrowdJob& job, std::uint32_t runs, std::vector<Row>& rows) {
-  CrowdRun run(job);
-  run.run(2);
-  for (const std::uint32_t threads : {1u, 2u}) {
-    const CrowdTiming best = run.best_of(runs, threads);
-    rows.push_back(
-        {job.models.size(), triangles_of(job), threads, best, run.memory_bytes(), process_bytes()});
-    std::cout << rows.back() << std::endl;
+/// Prints rows as they are measured, and stores them for the file of --csv.
+class Measured {
+ public:
+  /// Measures one number of instances with each number of threads. The first run is a warm-up.
+  void measure(const CrowdJob& job, std::uint32_t runs) {
+    CrowdRun run(job);
+    run.run(2);
+    for (const std::uint32_t threads : {1u, 2u}) {
+      const CrowdTiming best = run.best_of(runs, threads);
+      rows_.push_back({{"instances", job.models.size()},
+                       {"triangles", triangles_of(job)},
+                       {"threads", threads},
+                       {"frame_ms", best.frame_ms},
+                       {"palettes_ms", best.palettes_ms},
+                       {"candidate_pairs", best.stats.candidate_pairs},
+                       {"touching_pairs", best.stats.intersecting_pairs},
+                       {"contacts", best.contacts},
+                       {"crowd_mb", megabytes(run.memory_bytes())},
+                       {"process_mb", megabytes(process_bytes())}});
+      printed_.write(rows_.back());
+      std::cout.flush();
+    }
   }
-}
+
+  void write(std::ostream& out) const {
+    lab::CsvWriter table(out);
+    for (const tools::bench::Row& row : rows_) table.write(row);
+  }
+
+ private:
+  lab::CsvWriter printed_ = lab::CsvWriter(std::cout);
+  std::vector<tools::bench::Row> rows_;
+};
 
 Result<SkinnedModel> build(const asset::Asset& asset) {
   const std::vector<Matrix4> samples = WalkPhases(asset).samples();
@@ -81,7 +82,7 @@ Result<SkinnedModel> build(const asset::Asset& asset) {
                      {.off_weights = OffWeights::renormalise, .sample_palettes = samples});
 }
 
-Result<void> measure_scene(const Arguments& arguments, std::vector<Row>& rows) {
+Result<void> measure_scene(const Arguments& arguments, Measured& measured) {
   const Result<scenes::Scene> scene = scenes::load_scene(arguments.input);
   if (!scene) return scene.error();
   std::vector<SkinnedModel> models;
@@ -103,11 +104,11 @@ Result<void> measure_scene(const Arguments& arguments, std::vector<Row>& rows) {
       instance_palette(*scene, i, frame, scratch, std::span(palettes).subspan(first));
     }
   };
-  measure(job, arguments.runs, rows);
+  measured.measure(job, arguments.runs);
   return {};
 }
 
-Result<void> measure_character(const Arguments& arguments, std::vector<Row>& rows) {
+Result<void> measure_character(const Arguments& arguments, Measured& measured) {
   const bool is_generated = arguments.input.empty();
   const Result<scenes::Character> character =
       is_generated ? scenes::generate_character(scenes::CreatureOptions{})
@@ -126,7 +127,7 @@ Result<void> measure_character(const Arguments& arguments, std::vector<Row>& row
     job.pose = [&](std::uint32_t frame, std::vector<Matrix4>& palettes) {
       crowd.pose(frame, palettes);
     };
-    measure(job, arguments.runs, rows);
+    measured.measure(job, arguments.runs);
   }
   return {};
 }
@@ -138,33 +139,28 @@ Result<void> check_csv(const Arguments& arguments) {
   return tools::output::check_outputs({&csv, 1}, inputs);
 }
 
-void write_table(const std::vector<Row>& rows, std::ostream& out) {
-  out << kColumns << '\n';
-  for (const Row& row : rows) out << row << '\n';
-}
-
-int fail(const std::string& message) {
-  std::cerr << "crowd_scaling: " << message << '\n';
-  return 1;
-}
+constexpr Program kProgram = {
+    "crowd_scaling",
+    "Measure how the time of a frame grows with a crowd, on one thread and on two"};
 
 int run(const Arguments& arguments) {
-  if (const auto checked = check_csv(arguments); !checked) return fail(checked.error().message);
+  if (const auto checked = check_csv(arguments); !checked)
+    return fail(kProgram, checked.error().message);
   tools::output::OutputFile csv;
-  if (const auto opened = csv.open(arguments.csv); !opened) return fail(opened.error().message);
-  std::vector<Row> rows;
-  std::cout << kColumns << std::endl;
-  const Result<void> measured = arguments.input.ends_with(".json")
-                                    ? measure_scene(arguments, rows)
-                                    : measure_character(arguments, rows);
-  if (!measured) return fail(measured.error().message);
-  if (csv.stream() != nullptr) write_table(rows, *csv.stream());
+  if (const auto opened = csv.open(arguments.csv); !opened)
+    return fail(kProgram, opened.error().message);
+  Measured measured;
+  const Result<void> done = arguments.input.ends_with(".json")
+                                ? measure_scene(arguments, measured)
+                                : measure_character(arguments, measured);
+  if (!done) return fail(kProgram, done.error().message);
+  if (csv.stream() != nullptr) measured.write(*csv.stream());
   const Result<void> written = csv.close();
-  return written ? 0 : fail(written.error().message);
+  return written ? 0 : fail(kProgram, written.error().message);
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Measure how the time of a frame grows with a crowd, on one thread and on two");
+  CLI::App app(kProgram.description);
   Arguments arguments;
   app.add_option(
       "INPUT", arguments.input,

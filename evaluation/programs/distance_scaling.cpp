@@ -5,6 +5,7 @@
 
 #include "collide/eager.hpp"
 #include "distance/distance_search.hpp"
+#include "evaluation/bench/csv.hpp"
 #include "evaluation/programs/crowd.hpp"
 #include "evaluation/programs/program.hpp"
 #include "model/model.hpp"
@@ -14,13 +15,15 @@
 #include <pelt/distance.hpp>
 
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <iostream>
 #include <limits>
 #include <string>
 
 namespace pelt::programs {
 namespace {
+
+namespace bench = tools::bench;
 
 using tools::output::median;
 
@@ -109,21 +112,28 @@ bool ask(Walkers& walkers, const Palette& palette_a, const Palette& palette_b, D
          (plain.distance == 0 || std::sqrt(exact.closest.squared_distance) == plain.distance);
 }
 
-void print(double shift, double metre, const Samples& s) {
+bench::Row row_of(double shift, double metre, const Samples& s) {
   const double demand = median(s.demand), hinted = median(s.hinted);
   const double eager = median(s.eager_open) + median(s.eager_query);
-  std::printf("%.2f,%.3f,%.2f,%.1f,%.1f,%.1f,%.1f,%.2f,%.2f,%.0f,%.0f,%.0f,%.0f,%.0f\n", shift,
-              median(s.distance) / metre, median(s.palettes), demand, hinted, median(s.eager_open),
-              median(s.eager_query), eager / demand, eager / hinted, median(s.refits),
-              median(s.hinted_refits), median(s.node_pairs), median(s.exact_node_pairs),
-              median(s.triangle_pairs));
+  return {{"shift_m", shift},
+          {"distance_m", median(s.distance) / metre},
+          {"palettes_us", median(s.palettes)},
+          {"demand_us", demand},
+          {"hinted_us", hinted},
+          {"eager_open_us", median(s.eager_open)},
+          {"eager_query_us", median(s.eager_query)},
+          {"eager_per_demand", eager / demand},
+          {"eager_per_hinted", eager / hinted},
+          {"refits", median(s.refits)},
+          {"hinted_refits", median(s.hinted_refits)},
+          {"node_pairs", median(s.node_pairs)},
+          {"exact_node_pairs", median(s.exact_node_pairs)},
+          {"triangle_pairs", median(s.triangle_pairs)}};
 }
 
 bool measure(Walkers& walkers, const WalkPhases& phases, const Arguments& arguments) {
-  std::puts(
-      "shift_m,distance_m,palettes_us,demand_us,hinted_us,eager_open_us,eager_query_us,"
-      "eager_per_demand,eager_per_hinted,refits,hinted_refits,node_pairs,exact_node_pairs,"
-      "triangle_pairs");
+  std::cout << std::setprecision(4);
+  lab::CsvWriter table(std::cout);
   for (const double shift : kShifts) {
     Samples samples;
     Distance last;
@@ -135,7 +145,7 @@ bool measure(Walkers& walkers, const WalkPhases& phases, const Arguments& argume
                last, samples))
         return false;
     }
-    print(shift, arguments.metre, samples);
+    table.write(row_of(shift, arguments.metre, samples));
   }
   return true;
 }

@@ -205,21 +205,16 @@ Result<void> measure_model(const Subject& subject, const Arguments& arguments) {
   return {};
 }
 
-int parse_and_run(int argc, char** argv) {
-  Arguments arguments;
-  const auto add_options = [&](CLI::App& app) {
-    app.add_option("--frames", arguments.frames, "Frames along the first clip")
-        ->capture_default_str();
-    app.add_option("--rays", arguments.rays, "Rays of a frame")->capture_default_str();
-    app.add_option("--runs", arguments.runs, "Runs of which the best counts")
-        ->capture_default_str();
-  };
-  return measure_characters(
-      {"given_vertices", "Measure queries of given vertices beside other libraries"}, argc, argv,
-      add_options, [&](const Subject& subject) { return measure_model(subject, arguments); });
-}
-
 }  // namespace
 }  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace pelt::programs;
+  Arguments arguments;
+  return measure_characters(
+      {"given_vertices", "Measure queries of given vertices beside other libraries"}, argc, argv,
+      {{"--frames", arguments.frames, "Frames along the first clip"},
+       {"--rays", arguments.rays, "Rays of a frame"},
+       {"--runs", arguments.runs, "Runs of which the best counts"}},
+      [&](const Subject& subject) { return measure_model(subject, arguments); });
+}

@@ -9,6 +9,8 @@
 #include "evaluation/programs/program.hpp"
 #include "motion/moving_tree.hpp"
 #include "scenes/scene.hpp"
+#include "text/format.hpp"
+#include "tools/pelt/bench/table.hpp"
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/colliders.hpp"
@@ -17,6 +19,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +37,8 @@ MovingStage active_moving_stage() {
 }
 
 namespace {
+
+namespace bench = tools::bench;
 
 using detail::CertainAnswer;
 using Answers = std::vector<CertainAnswer>;
@@ -87,14 +92,17 @@ class StageCosts {
   }
 
   void print(const std::string& name) const {
-    std::printf("%s: %zu pairs of triangles\n", name.c_str(), pairs_.in_float.pairs);
-    std::printf("%-16s %12s %14s %14s\n", "stage", "us per pair", "pairs tested",
-                "of these decided");
-    print("float, pairs", pairs_.in_float);
-    print("double, pairs", pairs_.in_double);
-    print("float, times", times_.in_float);
-    print("double, times", times_.in_double);
-    print("exact, a sample", exact_);
+    std::cout << name << ": " << pairs_.in_float.pairs << " pairs of triangles\n";
+    constexpr bench::Column kColumns[] = {{"stage", "stage"},
+                                          {"us", "us per pair", 3},
+                                          {"tested", "pairs tested"},
+                                          {"decided", "of these decided"}};
+    const bench::Row rows[] = {
+        row("float, pairs", pairs_.in_float), row("double, pairs", pairs_.in_double),
+        row("float, times", times_.in_float), row("double, times", times_.in_double),
+        row("exact, a sample", exact_)};
+    bench::print_table(kColumns, rows, std::cout, {16, 17});
+    std::cout.flush();
     const std::size_t pairs = pairs_.in_float.pairs;
     const auto exact_share = [&](const QuestionTotals& q) {
       const std::size_t left = q.in_double.pairs - q.in_double.decided;
@@ -105,12 +113,17 @@ class StageCosts {
   }
 
  private:
-  void print(const char* stage, const StageTotal& total) const {
-    const auto pairs = static_cast<double>(total.pairs);
-    const auto all = static_cast<double>(pairs_.in_float.pairs);
-    if (total.pairs == 0) return void(std::printf("%-16s %12s\n", stage, "-"));
-    std::printf("%-16s %12.3f %12.3f %% %12.2f %%\n", stage, total.microseconds / pairs,
-                100 * pairs / all, 100 * static_cast<double>(total.decided) / pairs);
+  bench::Row row(const char* stage, const StageTotal& total) const {
+    if (total.pairs == 0)
+      return {{"stage", stage}, {"us", nullptr}, {"tested", nullptr}, {"decided", nullptr}};
+    const auto per_cent = [](std::size_t part, std::size_t of, int decimals) {
+      return text::fixed(100 * static_cast<double>(part) / static_cast<double>(of), decimals) +
+             " %";
+    };
+    return {{"stage", stage},
+            {"us", total.microseconds / static_cast<double>(total.pairs)},
+            {"tested", per_cent(total.pairs, pairs_.in_float.pairs, 3)},
+            {"decided", per_cent(total.decided, total.pairs, 2)}};
   }
 
   double time_of(const std::function<void()>& work) const {

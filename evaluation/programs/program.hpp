@@ -2,6 +2,8 @@
 
 /// Shared code of programs that measure the characters of their command line.
 
+#include "pose/open_node.hpp"
+#include "pose/pose.hpp"
 #include "scenes/scene.hpp"
 
 #include <pelt/model.hpp>
@@ -10,6 +12,8 @@
 
 #include <chrono>
 #include <cstdio>
+#include <initializer_list>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -24,6 +28,27 @@ double microseconds(const Work& work) {
       .count();
 }
 
+/// Random numbers that are the same on every platform.
+class Numbers {
+ public:
+  explicit Numbers(std::uint64_t seed) : engine_(seed) {}
+
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
+  std::size_t below(std::size_t count) { return engine_() % count; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Skins all vertices and computes all boxes of a pose.
+inline void open_all(Pose& pose) {
+  const detail::PosedTree posed = pose.detail().posed_tree();
+  make_table(posed);
+  detail::open_all(posed);
+}
+
 struct Program {
   const char *name, *description;
 };
@@ -33,6 +58,13 @@ inline int fail(const Program& program, const std::string& message) {
   std::fprintf(stderr, "%s: %s\n", program.name, message.c_str());
   return 1;
 }
+
+/// An option of a program, with its default in `value`.
+struct CountOption {
+  const char* name;
+  std::uint32_t& value;
+  const char* help;
+};
 
 /// A character with its model, and how to name it.
 struct Subject {
@@ -54,15 +86,15 @@ inline Result<Subject> load_subject(const std::string& path) {
 }
 
 /// Parses the command line, which names characters or none for the generated one, and calls
-/// `measure(subject)` for each. `add_options(app)` adds the options of the program. Returns the
-/// exit code, after the first failure.
-template <typename AddOptions, typename Measure>
-int measure_characters(const Program& program, int argc, char** argv, const AddOptions& add_options,
-                       const Measure& measure) {
+/// `measure(subject)` for each. Returns the exit code, after the first failure.
+template <typename Measure>
+int measure_characters(const Program& program, int argc, char** argv,
+                       std::initializer_list<CountOption> options, const Measure& measure) {
   CLI::App app(program.description);
   std::vector<std::string> paths;
   app.add_option("MODELS", paths, "Characters (.glb); default: the generated one");
-  add_options(app);
+  for (const CountOption& option : options)
+    app.add_option(option.name, option.value, option.help)->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   if (paths.empty()) paths.emplace_back();
   for (const std::string& path : paths) {

@@ -8,8 +8,6 @@
 
 #include "evaluation/programs/program.hpp"
 #include "evaluation/programs/query_stage.hpp"
-#include "pose/open_node.hpp"
-#include "pose/pose.hpp"
 #include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/inside.hpp>
@@ -132,10 +130,7 @@ class Costs {
 
   static void pose(Pose& pose, const JointPalette& palette, bool opens_all) {
     (void)pose.set_palette(palette);
-    if (!opens_all) return;
-    const detail::PosedTree posed = pose.detail().posed_tree();
-    make_table(posed);
-    detail::open_all(posed);
+    if (opens_all) open_all(pose);
   }
 
   void measure(const Question& question) { programs::measure(question, stage_, arguments_.runs); }
@@ -281,21 +276,16 @@ Result<void> measure_model(const Subject& subject, const Arguments& arguments) {
   return {};
 }
 
-int parse_and_run(int argc, char** argv) {
-  Arguments arguments;
-  const auto add_options = [&](CLI::App& app) {
-    app.add_option("--frames", arguments.frames, "Frames along the first clip")
-        ->capture_default_str();
-    app.add_option("--points", arguments.points, "Points of a batch")->capture_default_str();
-    app.add_option("--runs", arguments.runs, "Runs of which the best counts")
-        ->capture_default_str();
-  };
-  return measure_characters(
-      {"query_costs", "Measure queries of posed characters, including posing"}, argc, argv,
-      add_options, [&](const Subject& subject) { return measure_model(subject, arguments); });
-}
-
 }  // namespace
 }  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace pelt::programs;
+  Arguments arguments;
+  return measure_characters(
+      {"query_costs", "Measure queries of posed characters, including posing"}, argc, argv,
+      {{"--frames", arguments.frames, "Frames along the first clip"},
+       {"--points", arguments.points, "Points of a batch"},
+       {"--runs", arguments.runs, "Runs of which the best counts"}},
+      [&](const Subject& subject) { return measure_model(subject, arguments); });
+}

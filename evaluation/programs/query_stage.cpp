@@ -1,23 +1,13 @@
 #include "evaluation/programs/query_stage.hpp"
 
+#include "evaluation/programs/program.hpp"
+
 #include <pelt/bounds.hpp>
 
 #include <cmath>
-#include <random>
 
 namespace pelt::programs {
 namespace {
-
-/// Random numbers that are the same on every platform.
-class Numbers {
- public:
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-
- private:
-  std::mt19937_64 engine_{11};
-};
 
 Box box_of(Pose& pose, const JointPalette& palette) {
   (void)pose.set_palette(palette);
@@ -85,7 +75,7 @@ QueryStage::QueryStage(const asset::Asset& asset, const SkinnedModel& model, std
 
   const asset::Clip* clip = asset.clips.empty() ? nullptr : asset.clips.data();
   Neighbours neighbours(model);
-  Numbers numbers;
+  Numbers numbers(11);
   for (std::uint32_t i = 0; i < frames; ++i) {
     const double share = static_cast<double>(i) / frames;
     const JointPalette a = sample(clip, share), b = sample(clip, share + 0.35);

@@ -7,9 +7,6 @@
 /// different answers. Counts the differences of Embree, which is not exact.
 
 #include "evaluation/programs/program.hpp"
-#include "pose/open_node.hpp"
-#include "pose/pose.hpp"
-#include "scenes/scene.hpp"
 #include "tools/pelt/output/statistics.hpp"
 
 #include <pelt/ray.hpp>
@@ -18,7 +15,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -33,18 +29,6 @@ using tools::output::median;
 
 struct Arguments {
   std::uint32_t rays = 1000, poses = 12, runs = 5;
-};
-
-/// Random numbers that are the same on every platform.
-class Numbers {
- public:
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  std::size_t below(std::size_t count) { return engine_() % count; }
-
- private:
-  std::mt19937_64 engine_{7};
 };
 
 struct Extent {
@@ -77,7 +61,7 @@ Vec3 around(const Extent& extent, Numbers& numbers, double distance) {
 std::vector<Ray> make_rays(const asset::Asset& asset, std::span<const Vec3> positions,
                            std::uint32_t count) {
   const Extent extent = extent_of(positions);
-  Numbers numbers;
+  Numbers numbers(7);
   std::vector<Ray> rays;
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto [a, b, c] = asset.triangles[numbers.below(asset.triangles.size())];
@@ -171,9 +155,7 @@ Way eager(Pose& pose) {
   return {"same tree, all opened",
           [&](std::span<const Matrix4> palette) {
             (void)pose.set_palette(palette);
-            const detail::PosedTree posed = pose.detail().posed_tree();
-            make_table(posed);
-            detail::open_all(posed);
+            open_all(pose);
           },
           [&](std::span<const Ray> rays, std::span<RayHit> hits) { cast(pose, rays, hits); }};
 }
@@ -244,20 +226,16 @@ Result<void> measure_model(const Subject& subject, const Arguments& arguments) {
   return {};
 }
 
-int parse_and_run(int argc, char** argv) {
-  Arguments arguments;
-  const auto add_options = [&](CLI::App& app) {
-    app.add_option("--rays", arguments.rays, "Number of rays of a batch")->capture_default_str();
-    app.add_option("--poses", arguments.poses, "Poses along the first clip")->capture_default_str();
-    app.add_option("--runs", arguments.runs, "Runs of which the best counts")
-        ->capture_default_str();
-  };
-  return measure_characters(
-      {"ray_casting", "Measure rays at a posed character, including posing"}, argc, argv,
-      add_options, [&](const Subject& subject) { return measure_model(subject, arguments); });
-}
-
 }  // namespace
 }  // namespace pelt::programs
 
-int main(int argc, char** argv) { return pelt::programs::parse_and_run(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace pelt::programs;
+  Arguments arguments;
+  return measure_characters(
+      {"ray_casting", "Measure rays at a posed character, including posing"}, argc, argv,
+      {{"--rays", arguments.rays, "Number of rays of a batch"},
+       {"--poses", arguments.poses, "Poses along the first clip"},
+       {"--runs", arguments.runs, "Runs of which the best counts"}},
+      [&](const Subject& subject) { return measure_model(subject, arguments); });
+}
