@@ -3,7 +3,6 @@
 #include "evaluation/peers/adapters.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace pelt::peers {
 namespace {
@@ -73,11 +72,7 @@ std::unique_ptr<rivals::PosedMeshMethod> make_named(const std::vector<Entry>& en
   return found == entries.end() ? nullptr : found->make();
 }
 
-constexpr std::array<std::string_view, 4> kAnswers = {"exact", "nearly", "more", "fewer"};
-
 }  // namespace
-
-std::string_view name_of(Answers answers) { return kAnswers[static_cast<std::size_t>(answers)]; }
 
 std::span<const Peer> all_peers() {
   static const std::vector<Peer> peers = peers_of(entries());

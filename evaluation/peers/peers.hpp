@@ -15,13 +15,10 @@ namespace pelt::peers {
 
 /// Known quality of a peer's answers. Tests confirm it, and `compare` counts the differences.
 enum class Answers {
-  exact,   ///< exactly the pairs that intersect, in all that was tried
-  nearly,  ///< pairs that nearly touch may be missing or extra
-  more,    ///< all pairs that intersect, and some that only come close
-  fewer,   ///< pairs are missing
+  exact,  ///< exactly the pairs that intersect, in all that was tried
+  more,   ///< all pairs that intersect, and some that only come close
+  fewer,  ///< pairs are missing
 };
-
-std::string_view name_of(Answers answers);
 
 /// Decides whether two triangles intersect.
 enum class NarrowPhase {

@@ -10,7 +10,7 @@
 #include "motion/moving_tree.hpp"
 #include "scenes/scene.hpp"
 #include "text/format.hpp"
-#include "tools/pelt/bench/table.hpp"
+#include "tools/pelt/bench/figures.hpp"
 #include "tools/pelt/output/statistics.hpp"
 #include "tools/pelt/scene/collider_palettes.hpp"
 #include "tools/pelt/scene/colliders.hpp"

@@ -1,12 +1,20 @@
 /// The program pelt-lab: the verbs of the command with additional methods.
 
 #include "evaluation/methods/lab_methods.hpp"
+#include "tools/run_program.hpp"
 #include "tools/scene/every_method.hpp"
 #include "tools/test_scenes.hpp"
 
 #include <map>
 
 namespace pelt::test {
+
+Ended run_pelt(const TestFolder& folder, const std::vector<std::string>& arguments,
+               const std::string& search_path) {
+  std::vector<std::string> words = {PELT_COMMAND};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_program(folder.path(), words, search_path);
+}
 
 /// The methods that the command does not have, and one that they are compared with.
 methods::MethodKinds every_method() {
@@ -85,4 +93,5 @@ TEST(Lab, BenchesEveryMethodBesideRigid) {
 }
 
 }  // namespace
+
 }  // namespace pelt::test

@@ -1,18 +1,19 @@
 /// Every method that starts from posed vertices finds the contacts of brute force, on bodies that
 /// are hard for trees and grids.
 
-#include "evaluation/rivals/posed_bodies.hpp"
-#include "evaluation/rivals/posed_mesh_method.hpp"
-
 #include <pelt/model.hpp>
 #include <pelt/pose.hpp>
 
+#include "evaluation/rivals/posed_bodies.hpp"
+#include "evaluation/rivals/posed_mesh_method.hpp"
 #include "scenes/creature.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 
 namespace pelt::rivals {
@@ -76,74 +77,75 @@ PosedBodies pair_of(const std::function<PosedBody()>& make) {
   return {std::move(a), make()};
 }
 
-TEST_P(Methods, FindTheContactsOfSoups) {
-  Random random(1);
-  std::size_t contacts = 0;
-  for (int i = 0; i < 30; ++i) {
-    const double spread = random.uniform(0.5, 3), size = random.uniform(0.1, 1);
-    contacts += check_frames(pair_of([&] {
-      return test::scattered(
-          random, 1 + random.index(120), 3, [&](Random& r) { return r.point(spread); },
-          [&](Random&) { return size; });
-    }));
+Vec3 in_unit_cube(Random& random) { return random.point(1); }
+
+/// Pairs of bodies that are hard for trees or grids.
+struct HardBodies {
+  const char* name;
+  int rounds;
+  std::size_t least_contacts;  ///< in all rounds
+  std::function<PosedBodies(Random& random, int round)> make;
+};
+
+const HardBodies kHardBodies[] = {
+    {"soups of any size", 30, 1000,
+     [](Random& random, int) {
+       const double spread = random.uniform(0.5, 3), size = random.uniform(0.1, 1);
+       return pair_of([&] {
+         return test::scattered(
+             random, 1 + random.index(120), 3, [&](Random& r) { return r.point(spread); },
+             [&](Random&) { return size; });
+       });
+     }},
+    {"touching and coplanar triangles on a grid", 20, 5000,
+     [](Random& random, int round) {
+       return pair_of([&] {
+         PosedBody body = test::scattered(
+             random, 100, 3, [](Random& r) { return r.point(4); }, [](Random&) { return 1.5; });
+         for (auto& frame : body.frames)
+           for (Vec3& p : frame)
+             p = {std::round(p.x), std::round(p.y), round % 2 ? 0 : std::round(p.z)};
+         return body;
+       });
+     }},
+    {"collapsed triangles", 20, 20 * 60 * 60,
+     [](Random& random, int) {
+       return pair_of([&] {
+         PosedBody body = test::scattered(random, 60, 3, in_unit_cube, [](Random&) { return 1.0; });
+         for (std::size_t t = 0; t < 60; ++t) body.triangles[t][2] = body.triangles[t][t % 2];
+         for (Vec3& p : body.frames[1]) p = {1, 2, 3};           // all in one point
+         for (Vec3& p : body.frames[2]) p = {p.x, 2 * p.x, -1};  // all on one line
+         return body;
+       });
+     }},
+    {"far from the origin", 3, 1000,
+     [](Random& random, int round) {
+       const float distance = std::array{1e5f, -1e7f, 0x1p59f}[static_cast<std::size_t>(round)];
+       return pair_of([&] {
+         PosedBody body = test::scattered(random, 80, 3, in_unit_cube, [](Random&) { return 0.7; });
+         for (auto& frame : body.frames)
+           for (Vec3& p : frame) p = {p.x + distance, p.y - distance, p.z + 0.5f * distance};
+         return body;
+       });
+     }},
+    {"huge triangles among tiny ones", 6, 300, [](Random& random, int round) {
+       return pair_of([&] {
+         return test::scattered(random, 400, 2, in_unit_cube, [&](Random& r) {
+           return r.chance(0.03) ? (round % 2 ? 1e6 : 30.0) : 0.003;
+         });
+       });
+     }}};
+
+TEST_P(Methods, FindTheContactsOfHardBodies) {
+  std::uint64_t seed = 0;
+  for (const HardBodies& hard : kHardBodies) {
+    SCOPED_TRACE(hard.name);
+    Random random(++seed);
+    std::size_t contacts = 0;
+    for (int round = 0; round < hard.rounds; ++round)
+      contacts += check_frames(hard.make(random, round));
+    EXPECT_GT(contacts, hard.least_contacts);
   }
-  std::printf("%zu contacts\n", contacts);
-  EXPECT_GT(contacts, 1000u);
-}
-
-TEST_P(Methods, FindTouchingAndCoplanarTrianglesOnAGrid) {
-  Random random(2);
-  std::size_t contacts = 0;
-  for (int i = 0; i < 20; ++i)
-    contacts += check_frames(pair_of([&] {
-      PosedBody body = test::scattered(
-          random, 100, 3, [](Random& r) { return r.point(4); }, [](Random&) { return 1.5; });
-      for (auto& frame : body.frames)
-        for (Vec3& p : frame) p = {std::round(p.x), std::round(p.y), i % 2 ? 0 : std::round(p.z)};
-      return body;
-    }));
-  EXPECT_GT(contacts, 5000u);
-}
-
-TEST_P(Methods, FindCollapsedTriangles) {
-  Random random(3);
-  std::size_t contacts = 0;
-  for (int i = 0; i < 20; ++i)
-    contacts += check_frames(pair_of([&] {
-      PosedBody body = test::scattered(
-          random, 60, 3, [](Random& r) { return r.point(1); }, [](Random&) { return 1.0; });
-      for (std::size_t t = 0; t < 60; ++t) body.triangles[t][2] = body.triangles[t][t % 2];
-      for (Vec3& p : body.frames[1]) p = {1, 2, 3};           // all in one point
-      for (Vec3& p : body.frames[2]) p = {p.x, 2 * p.x, -1};  // all on one line
-      return body;
-    }));
-  EXPECT_GT(contacts, 20 * 60 * 60u);
-}
-
-TEST_P(Methods, FindContactsFarFromTheOrigin) {
-  Random random(4);
-  std::size_t contacts = 0;
-  for (const float distance : {1e5f, -1e7f, 0x1p59f})
-    contacts += check_frames(pair_of([&] {
-      PosedBody body = test::scattered(
-          random, 80, 3, [](Random& r) { return r.point(1); }, [](Random&) { return 0.7; });
-      for (auto& frame : body.frames)
-        for (Vec3& p : frame) p = {p.x + distance, p.y - distance, p.z + 0.5f * distance};
-      return body;
-    }));
-  EXPECT_GT(contacts, 1000u);
-}
-
-TEST_P(Methods, FindHugeTrianglesAmongTinyOnes) {
-  Random random(5);
-  std::size_t contacts = 0;
-  for (int i = 0; i < 6; ++i)
-    contacts += check_frames(pair_of([&] {
-      return test::scattered(
-          random, 400, 2, [](Random& r) { return r.point(1); },
-          [&](Random& r) { return r.chance(0.03) ? (i % 2 ? 1e6 : 30.0) : 0.003; });
-    }));
-  EXPECT_GT(contacts, 300u);
 }
 
 TEST_P(Methods, FindNothingBetweenSeparatedBodies) {
@@ -280,5 +282,40 @@ INSTANTIATE_TEST_SUITE_P(
                                 [] { return make_hash_overlap({.cell_edges = 8}); }}),
     [](const auto& named) { return std::string(named.param.name); });
 
+TEST(Hybrid, RefitsLowerBoxesWhereTheQueryGoesAndOncePerUpdate) {
+  test::Random random(1);
+  const auto make = [&] {
+    return test::scattered(
+        random, 500, 2, [](test::Random& r) { return r.point(1); },
+        [](test::Random&) { return 0.2; });
+  };
+  const test::PosedBody a = make(), b = make();
+  test::Positions aside = b.frames[1];
+  for (Vec3& p : aside) p.x += 2;
+  const auto method = make_hybrid();
+  method->add(a.triangles, a.frames[0]);
+  method->add(b.triangles, b.frames[0]);
+  std::vector<Contact> contacts;
+  const auto refits_after = [&](const test::Positions& positions_b) {
+    method->update(0, a.frames[1]);
+    method->update(1, positions_b);
+    return method->collide(0, 1, contacts, ~0u).refits;
+  };
+
+  test::Positions far = b.frames[1];
+  for (Vec3& p : far) p.x += 10;
+  EXPECT_EQ(refits_after(far), 0u);
+  const std::uint64_t some = refits_after(aside), many = refits_after(b.frames[1]);
+  EXPECT_GT(some, 0u);
+  EXPECT_LT(some, many);
+  EXPECT_EQ(method->collide(0, 1, contacts, ~0u).refits, 0u);
+  EXPECT_EQ(method->collide(1, 0, contacts, ~0u).refits, 0u);
+  method->update(0, a.frames[1]);
+  const std::uint64_t one_stale = method->collide(0, 1, contacts, ~0u).refits;
+  EXPECT_GT(one_stale, 0u);
+  EXPECT_LT(one_stale, many);
+}
+
 }  // namespace
+
 }  // namespace pelt::rivals
