@@ -8,7 +8,6 @@
 #include "evaluation/bench/anytime_bench.hpp"
 #include "evaluation/bench/anytime_figures.hpp"
 #include "evaluation/bench/moving_bench.hpp"
-#include "evaluation/methods/lab_methods.hpp"
 #include "text/format.hpp"
 #include "text/message.hpp"
 #include "text/printable.hpp"
@@ -302,6 +301,20 @@ bench::Cache cold_cache() {
   constexpr std::size_t kMostFrames = 30;
   const auto flush = std::make_shared<CacheFlush>();
   return {"cold", [flush](std::uint32_t threads) { flush->run(threads); }, kMostFrames};
+}
+
+bench::BenchMethod rival_method(const std::string& name, const MakeRival& make) {
+  return {name, [make](std::span<const tools::scene::Collider> colliders) {
+            return tools::scene::SceneQuery(colliders, adapt(make()));
+          }};
+}
+
+bench::BenchMethod self_rival_method(const std::string& name, const MakeRival& make) {
+  return {name,
+          [make](std::span<const tools::scene::Collider> colliders) {
+            return tools::scene::SceneQuery::of_each(colliders, adapt(make()));
+          },
+          bench::Asked::self};
 }
 
 void add_bench(CLI::App& app, arguments::Command& chosen) {

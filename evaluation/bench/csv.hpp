@@ -2,6 +2,7 @@
 
 #include "tools/pelt/bench/figures.hpp"
 
+#include <cstdint>
 #include <ostream>
 #include <string>
 

@@ -15,30 +15,6 @@
 namespace pelt::peers {
 namespace {
 
-/// The triangles of a body as Embree's user geometry, in a scene of its own.
-///
-/// A geometry of quality REFIT is refitted only in a scene of quality LOW; in any other scene it is
-/// silently built again, which takes 30 times as long.
-class EmbreeBody {
- public:
-  EmbreeBody(RTCDevice device, std::span<const Triangle> triangles, std::span<const Vec3> rest);
-  EmbreeBody(const EmbreeBody&) = delete;
-  EmbreeBody& operator=(const EmbreeBody&) = delete;
-  ~EmbreeBody();
-
-  void update(std::span<const Vec3> positions);
-
-  const PosedBody& mesh() const { return mesh_; }
-  RTCScene scene() const { return scene_; }
-
- private:
-  void commit();
-
-  PosedBody mesh_;
-  RTCScene scene_;
-  RTCGeometry geometry_;
-};
-
 void bound(const RTCBoundsFunctionArguments* arguments) {
   const auto& body = *static_cast<const PosedBody*>(arguments->geometryUserPtr);
   const auto [a, b, c] = body.corners(arguments->primID);
@@ -51,69 +27,91 @@ void bound(const RTCBoundsFunctionArguments* arguments) {
   box.upper_z = std::max(std::max(a.z, b.z), c.z);
 }
 
-EmbreeBody::EmbreeBody(RTCDevice device, std::span<const Triangle> triangles,
-                       std::span<const Vec3> rest)
-    : mesh_(triangles, rest),
-      scene_(rtcNewScene(device)),
-      geometry_(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
-  rtcSetGeometryUserPrimitiveCount(geometry_, static_cast<unsigned int>(triangles.size()));
-  rtcSetGeometryUserData(geometry_, &mesh_);
-  rtcSetGeometryBoundsFunction(geometry_, bound, nullptr);
-  rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
-  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
-  rtcAttachGeometry(scene_, geometry_);
-  commit();
-}
+/// The triangles of a body as Embree's user geometry, in a scene of its own.
+///
+/// A geometry of quality REFIT is refitted only in a scene of quality LOW; in any other scene it is
+/// silently built again, which takes 30 times as long.
+class EmbreeBody {
+ public:
+  EmbreeBody(RTCDevice device, std::span<const Triangle> triangles, std::span<const Vec3> rest)
+      : mesh_(triangles, rest),
+        scene_(rtcNewScene(device)),
+        geometry_(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
+    rtcSetGeometryUserPrimitiveCount(geometry_, static_cast<unsigned int>(triangles.size()));
+    rtcSetGeometryUserData(geometry_, &mesh_);
+    rtcSetGeometryBoundsFunction(geometry_, bound, nullptr);
+    rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+    rtcAttachGeometry(scene_, geometry_);
+    commit();
+  }
+  EmbreeBody(const EmbreeBody&) = delete;
+  EmbreeBody& operator=(const EmbreeBody&) = delete;
+  ~EmbreeBody() {
+    rtcReleaseGeometry(geometry_);
+    rtcReleaseScene(scene_);
+  }
 
-EmbreeBody::~EmbreeBody() {
-  rtcReleaseGeometry(geometry_);
-  rtcReleaseScene(scene_);
-}
+  void update(std::span<const Vec3> positions) {
+    mesh_.positions = positions;
+    commit();
+  }
 
-void EmbreeBody::update(std::span<const Vec3> positions) {
-  mesh_.positions = positions;
-  commit();
-}
+  const PosedBody& mesh() const { return mesh_; }
+  RTCScene scene() const { return scene_; }
 
-void EmbreeBody::commit() {
-  rtcCommitGeometry(geometry_);
-  rtcCommitScene(scene_);
-}
+ private:
+  void commit() {
+    rtcCommitGeometry(geometry_);
+    rtcCommitScene(scene_);
+  }
+
+  PosedBody mesh_;
+  RTCScene scene_;
+  RTCGeometry geometry_;
+};
 
 void take(void* candidates, RTCCollision* pairs, unsigned int count) {
   for (unsigned int i = 0; i < count; ++i)
     static_cast<Candidates*>(candidates)->add(pairs[i].primID0, pairs[i].primID1);
 }
 
-class EmbreeMethod final : public rivals::PosedMeshMethod {
+/// A method with a device of its own. One thread, like all methods in the comparison.
+template <typename Body>
+class EmbreeBodies : public rivals::PosedMeshMethod {
  public:
-  EmbreeMethod() : device_(rtcNewDevice("threads=1")) {}
-  EmbreeMethod(const EmbreeMethod&) = delete;
-  EmbreeMethod& operator=(const EmbreeMethod&) = delete;
-  ~EmbreeMethod() override {
+  EmbreeBodies() : device_(rtcNewDevice("threads=1")) {}
+  EmbreeBodies(const EmbreeBodies&) = delete;
+  EmbreeBodies& operator=(const EmbreeBodies&) = delete;
+  ~EmbreeBodies() override {
     bodies_.clear();
     rtcReleaseDevice(device_);
   }
 
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<EmbreeBody>(device_, triangles, rest));
+  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) final {
+    bodies_.push_back(std::make_unique<Body>(device_, triangles, rest));
   }
 
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
+  void update(std::uint32_t body, std::span<const Vec3> positions) final {
     bodies_[body]->update(positions);
   }
 
+ protected:
+  std::vector<std::unique_ptr<Body>> bodies_;
+
+ private:
+  RTCDevice device_;
+};
+
+class EmbreeMethod final : public EmbreeBodies<EmbreeBody> {
+ public:
   QueryStats collide(std::uint32_t a, std::uint32_t b, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
     Candidates candidates(bodies_[a]->mesh(), bodies_[b]->mesh(), contacts, max_contacts);
     rtcCollide(bodies_[a]->scene(), bodies_[b]->scene(), take, &candidates);
     return candidates.work();
   }
-
- private:
-  RTCDevice device_;
-  std::vector<std::unique_ptr<EmbreeBody>> bodies_;
 };
 
 }  // namespace
@@ -147,44 +145,23 @@ void take_ordered(void* candidates, RTCCollision* pairs, unsigned int count) {
       static_cast<EmbreeCandidates*>(candidates)->add(pairs[i].primID0, pairs[i].primID1);
 }
 
-struct SelfEmbreeBody {
+struct SelfEmbreeBody : EmbreeBody {
   SelfEmbreeBody(RTCDevice device, std::span<const Triangle> triangles, std::span<const Vec3> rest)
-      : embree(device, triangles, rest), neighbours(triangles, rest) {}
+      : EmbreeBody(device, triangles, rest), neighbours(triangles, rest) {}
 
-  EmbreeBody embree;
   Neighbours neighbours;
 };
 
-class SelfEmbreeMethod final : public rivals::PosedMeshMethod {
+class SelfEmbreeMethod final : public EmbreeBodies<SelfEmbreeBody> {
  public:
-  SelfEmbreeMethod() : device_(rtcNewDevice("threads=1")) {}
-  SelfEmbreeMethod(const SelfEmbreeMethod&) = delete;
-  SelfEmbreeMethod& operator=(const SelfEmbreeMethod&) = delete;
-  ~SelfEmbreeMethod() override {
-    bodies_.clear();
-    rtcReleaseDevice(device_);
-  }
-
-  void add(std::span<const Triangle> triangles, std::span<const Vec3> rest) override {
-    bodies_.push_back(std::make_unique<SelfEmbreeBody>(device_, triangles, rest));
-  }
-
-  void update(std::uint32_t body, std::span<const Vec3> positions) override {
-    bodies_[body]->embree.update(positions);
-  }
-
   QueryStats collide(std::uint32_t a, std::uint32_t, std::vector<Contact>& contacts,
                      std::uint32_t max_contacts) override {
     const SelfEmbreeBody& body = *bodies_[a];
-    EmbreeCandidates candidates(body.embree.mesh(), body.neighbours, OfNeighbours::decided,
-                                {body.embree.mesh()}, contacts, max_contacts);
-    rtcCollide(body.embree.scene(), body.embree.scene(), take_ordered, &candidates);
+    EmbreeCandidates candidates(body.mesh(), body.neighbours, OfNeighbours::decided, {body.mesh()},
+                                contacts, max_contacts);
+    rtcCollide(body.scene(), body.scene(), take_ordered, &candidates);
     return candidates.work();
   }
-
- private:
-  RTCDevice device_;
-  std::vector<std::unique_ptr<SelfEmbreeBody>> bodies_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "evaluation/peers/peer_figures.hpp"
 
+#include "evaluation/bench/bench.hpp"
 #include "evaluation/bench/csv.hpp"
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/peers/peers.hpp"
@@ -84,7 +85,6 @@ MovingDifference compare_moving(std::span<const MovingContact> answer,
 namespace pelt::tools {
 namespace {
 
-using bench::Asked;
 using bench::BenchMethod;
 using bench::in_frame;
 using bench::method_of;
@@ -99,7 +99,6 @@ using peers::Peer;
 using scene::Collider;
 using scene::FrameContacts;
 using scene::Palettes;
-using scene::SceneQuery;
 
 class SkinningOnly final : public rivals::PosedMeshMethod {
  public:
@@ -109,22 +108,6 @@ class SkinningOnly final : public rivals::PosedMeshMethod {
     return {};
   }
 };
-
-using MakeMethod = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
-
-BenchMethod method_from(std::string_view name, const MakeMethod& make) {
-  return {std::string(name), [make](std::span<const Collider> colliders) {
-            return SceneQuery(colliders, lab::adapt(make()));
-          }};
-}
-
-BenchMethod self_method_from(std::string_view name, const MakeMethod& make) {
-  return {std::string(name),
-          [make](std::span<const Collider> colliders) {
-            return SceneQuery::of_each(colliders, lab::adapt(make()));
-          },
-          Asked::self};
-}
 
 Contestant of_peer(const Peer& peer, BenchMethod method) {
   return {std::move(method), std::string(peer.name), peer.version, std::string(peer.update),
@@ -136,8 +119,9 @@ std::vector<Contestant> contestants_in_pairs() {
       {method_of(methods::kOnDemand), "pelt on_demand", "", "palettes", "ours", true},
       {method_of(methods::kEager), "pelt eager", "", "skin, refit", "ours", true}};
   for (const Peer& peer : peers::all_peers())
-    all.push_back(of_peer(
-        peer, method_from(peer.name, [name = peer.name] { return peers::make_peer(name); })));
+    all.push_back(of_peer(peer, lab::rival_method(std::string(peer.name), [name = peer.name] {
+                            return peers::make_peer(name);
+                          })));
   return all;
 }
 
@@ -146,7 +130,7 @@ std::vector<Contestant> contestants_by_themselves() {
       {self_method(methods::kSelf), "pelt self", "", "palettes", "ours", true},
       {self_method(lab::kSelfEager), "pelt eager", "", "skin, refit", "ours", true}};
   for (const Peer& peer : peers::all_self_peers())
-    all.push_back(of_peer(peer, self_method_from(peer.name, [name = peer.name] {
+    all.push_back(of_peer(peer, lab::self_rival_method(std::string(peer.name), [name = peer.name] {
                             return peers::make_self_peer(name);
                           })));
   return all;
@@ -159,7 +143,7 @@ std::vector<Contestant> contestants(Contest contest) {
 }
 
 BenchMethod skinning_method() {
-  return method_from("skinning", [] { return std::make_unique<SkinningOnly>(); });
+  return lab::rival_method("skinning", [] { return std::make_unique<SkinningOnly>(); });
 }
 
 BenchMethod exact_method(Contest contest) {

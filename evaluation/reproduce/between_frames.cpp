@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace pelt::reproduce {
 namespace {
@@ -35,10 +34,7 @@ Result<MovingSceneFigures> measure_steps(const scenes::Scene& scene, std::uint32
   settings.repetitions = conditions.is_quick ? 3 : 9;
   settings.frames = {0, scene.frame_count, (scene.frame_count + most - 1) / most};
   std::ostringstream errors;
-  auto figures = lab::bench_moving(scene, settings, errors);
-  if (!figures) return figures.error();
-  if (!*figures) return Error{ErrorCode::invalid_argument, errors.str()};
-  return std::move(**figures);
+  return agreed(lab::bench_moving(scene, settings, errors), errors);
 }
 
 /// Precondition: the method has answered the question.

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
-#include <sstream>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -93,12 +92,6 @@ void add_with_charts(Table table, const std::string& x, Axes axes, std::optional
   section.tables.push_back(std::move(table));
 }
 
-tools::bench::BenchMethod rival_method(const std::string& name, const MakeRival& make) {
-  return {name, [make](std::span<const tools::scene::Collider> colliders) {
-            return tools::scene::SceneQuery(colliders, lab::adapt(make()));
-          }};
-}
-
 std::optional<std::size_t> heap_bytes() {
 #if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
   const struct mallinfo2 info = mallinfo2();
@@ -123,7 +116,7 @@ std::vector<Asked> all_methods() {
   for (const MethodKind method : kCompared)
     all.push_back({title_of(method), tools::bench::method_of(method)});
   all.push_back({title_of(lab::kHash) + " in one grid",
-                 rival_method("hash_crowd", [] { return rivals::make_hash_crowd(); })});
+                 lab::rival_method("hash_crowd", [] { return rivals::make_hash_crowd(); })});
   return all;
 }
 
@@ -210,10 +203,7 @@ Result<tools::bench::SceneFigures> measure_clip(const scenes::Scene& scene,
   const std::uint32_t frames = conditions.is_quick ? kClipFrames / 5 : kClipFrames;
   settings.frames = tools::arguments::FrameRange{0, scene.frame_count, scene.frame_count / frames};
   std::ostringstream errors;
-  auto figures = tools::bench::bench_scene(scene, settings, errors);
-  if (!figures) return figures.error();
-  if (!*figures) return Error{ErrorCode::invalid_argument, errors.str()};
-  return std::move(**figures);
+  return agreed(tools::bench::bench_scene(scene, settings, errors), errors);
 }
 
 const tools::bench::Times& times_of(const tools::bench::SceneFigures& figures, MethodKind method,

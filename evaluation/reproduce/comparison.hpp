@@ -49,11 +49,6 @@ std::string how_measured(const std::string& mean_of, const Conditions& condition
 void add_with_charts(Table table, const std::string& x, Axes axes, std::optional<double> x_end,
                      Section& section);
 
-using MakeRival = std::function<std::unique_ptr<rivals::PosedMeshMethod>()>;
-
-/// A rival that is not a method of the command.
-tools::bench::BenchMethod rival_method(const std::string& name, const MakeRival& make);
-
 /// Two creatures from apart to the same position: "separation" and "separation_first", with charts.
 Result<void> add_separation(const scenes::Character& creature, const Conditions& conditions,
                             Section& section);

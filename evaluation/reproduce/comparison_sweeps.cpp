@@ -1,6 +1,8 @@
 /// The comparison over distance and resolution, and how the time of a deep contact splits.
 
 #include "evaluation/reproduce/comparison.hpp"
+
+#include "evaluation/bench/bench.hpp"
 #include "evaluation/reproduce/scene_figures.hpp"
 #include "evaluation/rivals/posed_mesh_method.hpp"
 #include "scenes/creature/random.hpp"
@@ -185,7 +187,7 @@ std::vector<tools::bench::BenchMethod> compared_methods() {
   std::vector<tools::bench::BenchMethod> all = {tools::bench::crowd_method(1)};
   all[0].name = kCrowd;
   for (const MethodKind method : kByPairs) all.push_back(tools::bench::method_of(method));
-  all.push_back(rival_method(kOneGrid, [] { return rivals::make_hash_crowd(); }));
+  all.push_back(lab::rival_method(kOneGrid, [] { return rivals::make_hash_crowd(); }));
   return all;
 }
 
@@ -265,8 +267,8 @@ Result<tools::bench::SceneFigures> measure_values(const scenes::Character& creat
   std::vector<tools::bench::BenchMethod> methods;
   for (const double value : values)
     for (const Tuned& one : tuned)
-      methods.push_back(
-          rival_method(method_name(one.method, value), [&one, value] { return one.make(value); }));
+      methods.push_back(lab::rival_method(method_name(one.method, value),
+                                          [&one, value] { return one.make(value); }));
   return measure_scene(facing_pair(creature, distance, kPhases), std::move(methods), kPhases,
                        conditions);
 }

@@ -43,58 +43,36 @@ struct PairwiseTiming {
   std::size_t contacts = 0;
 };
 
-/// Runs a method on the frames of a crowd, pair by pair. As in CrowdRun, a frame consists of
-/// setting all palettes and finding all contacts.
-class PairwiseRun {
- public:
-  /// `job` must outlive the run.
-  PairwiseRun(const programs::CrowdJob& job, methods::MethodKind method);
-
-  PairwiseTiming run();
-
- private:
-  void set_palettes();
-  void collide_pairs();
-
-  const programs::CrowdJob& job_;
-  std::unique_ptr<methods::Method> method_;
-  std::vector<Matrix4> palettes_;
-  std::vector<Contact> contacts_;
-};
-
-PairwiseRun::PairwiseRun(const programs::CrowdJob& job, methods::MethodKind method)
-    : job_(job), method_(method.make()) {
-  for (const SkinnedModel& model : job.models) method_->add(model);
+/// Sets the palettes of all bodies, which are one after the other in `palettes`.
+void set_palettes(const programs::CrowdJob& job, std::span<const Matrix4> palettes,
+                  methods::Method& method) {
+  for (std::uint32_t body = 0; body < job.models.size(); ++body) {
+    const std::uint32_t joints = job.models[body].joint_count();
+    const Result<void> taken = method.set_palette(body, palettes.first(joints));
+    PELT_ASSERT(taken);
+    palettes = palettes.subspan(joints);
+  }
 }
 
-PairwiseTiming PairwiseRun::run() {
+/// Runs a method on the frames of a crowd, pair by pair. As in CrowdRun, a frame consists of
+/// setting all palettes and finding all contacts.
+PairwiseTiming run_by_pairs(const programs::CrowdJob& job, methods::MethodKind kind) {
+  const std::unique_ptr<methods::Method> method = kind.make();
+  for (const SkinnedModel& model : job.models) method->add(model);
+  std::vector<Matrix4> palettes;
+  std::vector<Contact> contacts;
   std::vector<double> times;
-  for (std::uint32_t frame = 0; frame < job_.frame_count; ++frame) {
-    job_.pose(frame, palettes_);
-    contacts_.clear();
+  for (std::uint32_t frame = 0; frame < job.frame_count; ++frame) {
+    job.pose(frame, palettes);
+    contacts.clear();
     tools::bench::Stopwatch watch;
-    set_palettes();
-    collide_pairs();
+    set_palettes(job, palettes, *method);
+    for (std::uint32_t a = 0; a < job.models.size(); ++a)
+      for (std::uint32_t b = a + 1; b < job.models.size(); ++b) method->collide(a, b, contacts, {});
     watch.stop();
     times.push_back(watch.microseconds());
   }
-  return {tools::output::median(times), contacts_.size()};
-}
-
-void PairwiseRun::set_palettes() {
-  std::span<const Matrix4> rest = palettes_;
-  for (std::uint32_t body = 0; body < job_.models.size(); ++body) {
-    const std::uint32_t joints = job_.models[body].joint_count();
-    const Result<void> taken = method_->set_palette(body, rest.first(joints));
-    PELT_ASSERT(taken);
-    rest = rest.subspan(joints);
-  }
-}
-
-void PairwiseRun::collide_pairs() {
-  for (std::uint32_t a = 0; a < job_.models.size(); ++a)
-    for (std::uint32_t b = a + 1; b < job_.models.size(); ++b)
-      method_->collide(a, b, contacts_, {});
+  return {tools::output::median(times), contacts.size()};
 }
 
 // Two creatures that face each other, queried for all contacts.
@@ -212,7 +190,7 @@ Result<Walkers> make_walkers() {
 Result<void> append_pairwise(const programs::CrowdJob& job, const programs::CrowdTiming& crowd,
                              std::vector<Cell>& row) {
   for (const methods::MethodKind method : kPairMethods) {
-    const PairwiseTiming timing = PairwiseRun(job, method).run();
+    const PairwiseTiming timing = run_by_pairs(job, method);
     if (timing.contacts != crowd.contacts)
       return Error{ErrorCode::invalid_argument,
                    std::string(method.name) + " finds " + std::to_string(timing.contacts) +

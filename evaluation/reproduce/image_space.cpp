@@ -1,5 +1,7 @@
 #include "evaluation/reproduce/comparison.hpp"
 
+#include "evaluation/bench/bench.hpp"
+
 #include "evaluation/reproduce/scene_figures.hpp"
 #include "evaluation/rivals/layered_depth.hpp"
 #include "tools/pelt/bench/measure.hpp"
@@ -47,8 +49,8 @@ class Images final : public rivals::PosedMeshMethod {
 std::vector<tools::bench::BenchMethod> image_methods() {
   std::vector<tools::bench::BenchMethod> all;
   for (const std::uint32_t resolution : kResolutions)
-    all.push_back(rival_method("images " + std::to_string(resolution),
-                               [resolution] { return std::make_unique<Images>(resolution); }));
+    all.push_back(lab::rival_method("images " + std::to_string(resolution),
+                                    [resolution] { return std::make_unique<Images>(resolution); }));
   for (const MethodKind method : kExact) all.push_back(tools::bench::method_of(method));
   return all;
 }

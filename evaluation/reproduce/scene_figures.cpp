@@ -6,7 +6,6 @@
 #include "tools/pelt/methods/command_methods.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace pelt::reproduce {
 
@@ -142,10 +141,7 @@ Result<SceneFigures> measure(const scenes::Scene& scene, tools::bench::BenchSett
   settings.frames =
       frames_of(scene, conditions.is_quick ? std::max(most_frames / 4, 1u) : most_frames);
   std::ostringstream errors;
-  auto figures = tools::bench::bench_scene(scene, settings, errors);
-  if (!figures) return figures.error();
-  if (!*figures) return Error{ErrorCode::invalid_argument, errors.str()};
-  return std::move(**figures);
+  return agreed(tools::bench::bench_scene(scene, settings, errors), errors);
 }
 
 }  // namespace

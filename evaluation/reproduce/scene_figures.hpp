@@ -9,6 +9,7 @@
 #include "tools/pelt/bench/figures.hpp"
 
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,14 @@ std::string title_of(methods::MethodKind method);
 
 /// Describes the method and names its paper, for readers who do not know the code.
 std::string description_of(methods::MethodKind method);
+
+/// The figures of a benchmark. An error if methods gave different answers, which `errors` names.
+template <typename Figures>
+Result<Figures> agreed(Result<std::optional<Figures>> figures, const std::ostringstream& errors) {
+  if (!figures) return figures.error();
+  if (!*figures) return Error{ErrorCode::invalid_argument, errors.str()};
+  return std::move(**figures);
+}
 
 /// Measures all contacts and the first one, with hot caches, on at most `most_frames` evenly spaced
 /// frames (in a quick run a fourth of that). Fails if methods give different answers.
