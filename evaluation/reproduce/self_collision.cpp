@@ -5,12 +5,12 @@
 
 #include <pelt/self.hpp>
 
+#include "collide/eager.hpp"
 #include "evaluation/reproduce/characters.hpp"
 #include "evaluation/reproduce/growth.hpp"
 #include "evaluation/reproduce/scene_figures.hpp"
 #include "evaluation/rivals/stages.hpp"
 #include "model/model.hpp"
-#include "collide/eager.hpp"
 #include "scenes/takes.hpp"
 #include "self/self_filter.hpp"
 #include "tools/pelt/bench/stopwatch.hpp"
