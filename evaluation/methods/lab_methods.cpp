@@ -8,6 +8,7 @@
 #include "paper/rigid.hpp"
 #include "self/neighbours.hpp"
 #include "skin/skin.hpp"
+#include "tools/pelt/methods/brute_force.hpp"
 #include "tools/pelt/methods/paper_method.hpp"
 
 #include <algorithm>
