@@ -300,29 +300,15 @@ Result<void> ignore_in_crowd(CrowdHandle& handle, std::string_view pairs) {
 }
 PELT_EXPORT(ignore_in_crowd)
 
-Result<void> set_crowd_palette(CrowdHandle& handle, std::uint32_t instance,
-                               std::span<const float> palette) {
-  return in_words_of_javascript(handle.crowd.set_palette(instance, palette));
+template <typename Number, auto kSet>
+Result<void> set_instance(CrowdHandle& handle, std::uint32_t instance,
+                          std::span<const Number> numbers) {
+  return in_words_of_javascript((handle.crowd.*kSet)(instance, numbers));
 }
-PELT_EXPORT(set_crowd_palette)
-
-Result<void> set_crowd_dual_quaternions(CrowdHandle& handle, std::uint32_t instance,
-                                        std::span<const float> dual_quaternions) {
-  return in_words_of_javascript(handle.crowd.set_dual_quaternions(instance, dual_quaternions));
-}
-PELT_EXPORT(set_crowd_dual_quaternions)
-
-Result<void> set_crowd_morph_weights(CrowdHandle& handle, std::uint32_t instance,
-                                     std::span<const float> weights) {
-  return in_words_of_javascript(handle.crowd.set_morph_weights(instance, weights));
-}
-PELT_EXPORT(set_crowd_morph_weights)
-
-Result<void> set_crowd_vertices(CrowdHandle& handle, std::uint32_t instance,
-                                std::span<const Vec3> vertices) {
-  return in_words_of_javascript(handle.crowd.set_vertices(instance, vertices));
-}
-PELT_EXPORT(set_crowd_vertices)
+PELT_EXPORT_AS(set_crowd_palette, (set_instance<float, &Crowd::set_palette>))
+PELT_EXPORT_AS(set_crowd_dual_quaternions, (set_instance<float, &Crowd::set_dual_quaternions>))
+PELT_EXPORT_AS(set_crowd_morph_weights, (set_instance<float, &Crowd::set_morph_weights>))
+PELT_EXPORT_AS(set_crowd_vertices, (set_instance<Vec3, &Crowd::set_vertices>))
 
 /// Without offsets, the instance has none.
 Result<void> set_crowd_offsets(CrowdHandle& handle, std::uint32_t instance,
@@ -352,20 +338,14 @@ void begin_crowd_step(CrowdHandle& handle) {
 }
 PELT_EXPORT(begin_crowd_step)
 
-Result<void> set_crowd_motion(CrowdHandle& handle, std::uint32_t instance,
-                              std::span<const float> from, std::span<const float> to) {
+template <auto kSet>
+Result<void> set_motion(CrowdHandle& handle, std::uint32_t instance, std::span<const float> from,
+                        std::span<const float> to) {
   handle.members[instance].offsets.start_borrows();
-  return in_words_of_javascript(handle.crowd.set_motion(instance, from, to));
+  return in_words_of_javascript((handle.crowd.*kSet)(instance, from, to));
 }
-PELT_EXPORT(set_crowd_motion)
-
-Result<void> set_crowd_motion_dual_quaternions(CrowdHandle& handle, std::uint32_t instance,
-                                               std::span<const float> from,
-                                               std::span<const float> to) {
-  handle.members[instance].offsets.start_borrows();
-  return in_words_of_javascript(handle.crowd.set_motion_dual_quaternions(instance, from, to));
-}
-PELT_EXPORT(set_crowd_motion_dual_quaternions)
+PELT_EXPORT_AS(set_crowd_motion, set_motion<&Crowd::set_motion>)
+PELT_EXPORT_AS(set_crowd_motion_dual_quaternions, set_motion<&Crowd::set_motion_dual_quaternions>)
 
 /// Answers like collide_crowd, and then with times and features.
 Result<CrowdStats> collide_crowd_moving(CrowdHandle& handle, bool leaves_out_start, bool has_times,

@@ -45,20 +45,13 @@ PELT_EXPORT(make_pose)
 void delete_pose(PoseHandle* handle) { delete handle; }
 PELT_EXPORT(delete_pose)
 
-Result<void> set_palette(PoseHandle& handle, std::span<const float> palette) {
-  return moved(handle, handle.pose.set_palette(palette));
+template <auto kSet>
+Result<void> set_numbers(PoseHandle& handle, std::span<const float> numbers) {
+  return moved(handle, (handle.pose.*kSet)(numbers));
 }
-PELT_EXPORT(set_palette)
-
-Result<void> set_dual_quaternions(PoseHandle& handle, std::span<const float> dual_quaternions) {
-  return moved(handle, handle.pose.set_dual_quaternions(dual_quaternions));
-}
-PELT_EXPORT(set_dual_quaternions)
-
-Result<void> set_morph_weights(PoseHandle& handle, std::span<const float> weights) {
-  return moved(handle, handle.pose.set_morph_weights(weights));
-}
-PELT_EXPORT(set_morph_weights)
+PELT_EXPORT_AS(set_palette, set_numbers<&Pose::set_palette>)
+PELT_EXPORT_AS(set_dual_quaternions, set_numbers<&Pose::set_dual_quaternions>)
+PELT_EXPORT_AS(set_morph_weights, set_numbers<&Pose::set_morph_weights>)
 
 Result<void> set_vertices(PoseHandle& handle, std::span<const Vec3> vertices) {
   Result<void> set = moved(handle, handle.pose.set_vertices(vertices));

@@ -49,8 +49,9 @@ export class Memory {
     this.#unused = this.#layout.input + 8 * kMaxArguments;
     const allocated = [];
     try {
-      const numbers = values.flatMap((value) => this.#numbersOf(value, allocated));
-      this.view(Float64Array, this.#layout.input, numbers.length).set(numbers);
+      const numbers = [];
+      for (const value of values) this.#addNumbers(numbers, value, allocated);
+      this.#engine.HEAPF64.set(numbers, this.#layout.input / 8);
       const result = this.#enter(`_pelt_${name}`);
       if (!Number.isNaN(result)) return result;
     } finally {
@@ -151,17 +152,18 @@ export class Memory {
     }
   }
 
-  #numbersOf(value, allocated) {
-    if (typeof value === 'number') return value;
-    if (typeof value === 'boolean') return value ? 1 : 0;
-    if (value === null) return 0;
-    if (typeof value === 'string') return this.#copy(new TextEncoder().encode(value), allocated);
-    if (ArrayBuffer.isView(value)) return this.#copy(value, allocated);
-    return this.handles.of(value);
+  /** Adds what the engine gets for a value. */
+  #addNumbers(numbers, value, allocated) {
+    if (typeof value === 'number') numbers.push(value);
+    else if (typeof value === 'boolean') numbers.push(value ? 1 : 0);
+    else if (value === null) numbers.push(0);
+    else if (typeof value === 'string') this.#addCopy(numbers, new TextEncoder().encode(value), allocated);
+    else if (ArrayBuffer.isView(value)) this.#addCopy(numbers, value, allocated);
+    else numbers.push(this.handles.of(value));
   }
 
-  /** Returns the address of a copy, and its length in bytes. */
-  #copy({ buffer, byteOffset, byteLength }, allocated) {
+  /** Adds the address of a copy, and its length in bytes. */
+  #addCopy(numbers, { buffer, byteOffset, byteLength }, allocated) {
     let address = this.#unused;
     if (address + byteLength > this.#layout.input + this.#layout.inputBytes) {
       address = this.#allocate(byteLength);
@@ -169,8 +171,8 @@ export class Memory {
     } else {
       this.#unused += 8 * Math.ceil(byteLength / 8);
     }
-    this.view(Uint8Array, address, byteLength).set(new Uint8Array(buffer, byteOffset, byteLength));
-    return [address, byteLength];
+    this.#engine.HEAPU8.set(new Uint8Array(buffer, byteOffset, byteLength), address);
+    numbers.push(address, byteLength);
   }
 
   #allocate(bytes) {
