@@ -19,11 +19,7 @@ void use_last_as_position(GltfBuilder& builder) {
   builder.attribute("POSITION") = builder.document["accessors"].size() - 1;
 }
 
-std::vector<Vec3> positions(const GltfBuilder& builder) {
-  const Result<Asset> asset = builder.load();
-  EXPECT_TRUE(asset) << asset.error().message;
-  return asset ? asset->rest_positions : std::vector<Vec3>{};
-}
+std::vector<Vec3> positions(const GltfBuilder& builder) { return builder.read().rest_positions; }
 
 template <typename T>
 std::vector<Vec3> positions_stored_as(std::vector<T> values, bool normalised) {

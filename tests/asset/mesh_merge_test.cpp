@@ -29,59 +29,54 @@ GltfBuilder armed_strip() {
 
 std::vector<std::string> part_nodes(const GltfBuilder& builder, const GltfOptions& options = {}) {
   std::vector<std::string> names;
-  const Result<Asset> asset = builder.load(options);
-  EXPECT_TRUE(asset) << asset.error().message;
-  for (const Part& part : asset->parts) names.push_back(part.node);
+  const Asset asset = builder.read(options);
+  for (const Part& part : asset.parts) names.push_back(part.node);
   return names;
 }
 
 using Names = std::vector<std::string>;
 
 TEST(MeshMerge, NumbersTrianglesInSceneOrder) {
-  const Result<Asset> asset = armed_strip().load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  ASSERT_EQ(asset->parts.size(), 3u);
+  const Asset asset = armed_strip().read();
+  ASSERT_EQ(asset.parts.size(), 3u);
   EXPECT_EQ(part_nodes(armed_strip()), (Names{"stone", "paper", "pebble"}));
-  EXPECT_EQ(asset->parts[1].first_triangle, 1u);
-  EXPECT_EQ(asset->parts[1].triangle_count, 6u);
-  EXPECT_EQ(asset->parts[2].first_triangle, 7u);
-  EXPECT_EQ(asset->triangles.size(), 8u);
-  EXPECT_EQ(asset->triangles[1], (Triangle{3, 4, 5}));
-  EXPECT_EQ(asset->triangles[7], (Triangle{11, 12, 13}));
+  EXPECT_EQ(asset.parts[1].first_triangle, 1u);
+  EXPECT_EQ(asset.parts[1].triangle_count, 6u);
+  EXPECT_EQ(asset.parts[2].first_triangle, 7u);
+  EXPECT_EQ(asset.triangles.size(), 8u);
+  EXPECT_EQ(asset.triangles[1], (Triangle{3, 4, 5}));
+  EXPECT_EQ(asset.triangles[7], (Triangle{11, 12, 13}));
 }
 
 TEST(MeshMerge, NamesItsParts) {
-  const Result<Asset> asset = armed_strip().load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->parts[0].mesh, "rock");
-  EXPECT_EQ(asset->parts[0].material, "granite");
-  EXPECT_FALSE(asset->parts[0].skinned);
-  EXPECT_EQ(asset->parts[1].mesh, "sheet");
-  EXPECT_EQ(asset->parts[1].material, "");
-  EXPECT_TRUE(asset->parts[1].skinned);
+  const Asset asset = armed_strip().read();
+  EXPECT_EQ(asset.parts[0].mesh, "rock");
+  EXPECT_EQ(asset.parts[0].material, "granite");
+  EXPECT_FALSE(asset.parts[0].skinned);
+  EXPECT_EQ(asset.parts[1].mesh, "sheet");
+  EXPECT_EQ(asset.parts[1].material, "");
+  EXPECT_TRUE(asset.parts[1].skinned);
 }
 
 TEST(MeshMerge, UnskinnedPartsRideOnTheirNodes) {
-  const Result<Asset> asset = armed_strip().load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  ASSERT_EQ(asset->joints.size(), 4u);
-  EXPECT_EQ(asset->joint_name(0), "stone");
-  EXPECT_EQ(asset->joint_name(3), "pebble");
-  EXPECT_EQ(asset->joints[0].inverse_bind.m[13], -1.5f) << "the inverse of its node's place";
-  EXPECT_EQ(asset->joint_indices[0], 0);
-  EXPECT_EQ(asset->weights[0], 1);
-  EXPECT_EQ(asset->joint_indices.back(), 0);
-  EXPECT_EQ(asset->joint_indices[asset->joint_indices.size() - 2], 3);
+  const Asset asset = armed_strip().read();
+  ASSERT_EQ(asset.joints.size(), 4u);
+  EXPECT_EQ(asset.joint_name(0), "stone");
+  EXPECT_EQ(asset.joint_name(3), "pebble");
+  EXPECT_EQ(asset.joints[0].inverse_bind.m[13], -1.5f) << "the inverse of its node's place";
+  EXPECT_EQ(asset.joint_indices[0], 0);
+  EXPECT_EQ(asset.weights[0], 1);
+  EXPECT_EQ(asset.joint_indices.back(), 0);
+  EXPECT_EQ(asset.joint_indices[asset.joint_indices.size() - 2], 3);
 }
 
 TEST(MeshMerge, LeavesUnskinnedPartsOutOnDemand) {
   GltfOptions options;
   options.unskinned_parts = false;
-  const Result<Asset> asset = armed_strip().load(options);
-  ASSERT_TRUE(asset) << asset.error().message;
+  const Asset asset = armed_strip().read(options);
   EXPECT_EQ(part_nodes(armed_strip(), options), Names{"paper"});
-  EXPECT_EQ(asset->joints.size(), 2u);
-  EXPECT_EQ(asset->nodes.size(), 6u);
+  EXPECT_EQ(asset.joints.size(), 2u);
+  EXPECT_EQ(asset.nodes.size(), 6u);
 }
 
 TEST(MeshMerge, ExcludesNodesByNameWithTheirChildren) {
@@ -123,11 +118,10 @@ TEST(MeshMerge, MeshesOfSeveralNodesBecomeSeveralParts) {
   GltfBuilder builder = test::stone();
   builder.add("nodes", {{"name", "twin"}, {"mesh", 0}});
   builder.document["scenes"][0]["nodes"] = {0, 1};
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
+  const Asset asset = builder.read();
   EXPECT_EQ(part_nodes(builder), (Names{"stone", "twin"}));
-  EXPECT_EQ(asset->rest_positions.size(), 6u);
-  EXPECT_EQ(asset->joints.size(), 2u);
+  EXPECT_EQ(asset.rest_positions.size(), 6u);
+  EXPECT_EQ(asset.joints.size(), 2u);
 }
 
 TEST(MeshMerge, PrimitivesThatShareTheirVerticesShareThem) {
@@ -136,11 +130,10 @@ TEST(MeshMerge, PrimitivesThatShareTheirVerticesShareThem) {
   json second = builder.primitive();
   second["indices"] = more;
   builder.document["meshes"][0]["primitives"].push_back(second);
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->rest_positions.size(), 8u);
-  ASSERT_EQ(asset->parts.size(), 2u);
-  EXPECT_EQ(asset->triangles.back(), (Triangle{7, 6, 5}));
+  const Asset asset = builder.read();
+  EXPECT_EQ(asset.rest_positions.size(), 8u);
+  ASSERT_EQ(asset.parts.size(), 2u);
+  EXPECT_EQ(asset.triangles.back(), (Triangle{7, 6, 5}));
 }
 
 TEST(MeshMerge, KeepsDegenerateTriangles) {
@@ -153,10 +146,9 @@ TEST(MeshMerge, KeepsDegenerateTriangles) {
 TEST(MeshMerge, MeshesWithJointsButNoSkinAreUnskinned) {
   GltfBuilder builder = test::paper_strip();
   builder.document["nodes"][0].erase("skin");
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_FALSE(asset->parts[0].skinned);
-  EXPECT_EQ(asset->influences_per_vertex, 1u);
+  const Asset asset = builder.read();
+  EXPECT_FALSE(asset.parts[0].skinned);
+  EXPECT_EQ(asset.influences_per_vertex, 1u);
 }
 
 TEST(MeshMerge, RefusesInstancesOutOfProportion) {

@@ -22,11 +22,7 @@ GltfBuilder five_points(int mode) {
   return builder;
 }
 
-Triangles triangles(const GltfBuilder& builder) {
-  const Result<Asset> asset = builder.load();
-  EXPECT_TRUE(asset) << asset.error().message;
-  return asset ? asset->triangles : Triangles{};
-}
+Triangles triangles(const GltfBuilder& builder) { return builder.read().triangles; }
 
 TEST(Primitive, DrawsListsWithoutIndices) {
   EXPECT_EQ(triangles(test::stone()), (Triangles{{0, 1, 2}}));
@@ -67,21 +63,18 @@ TEST(Primitive, PassesOverPointsAndLinesWithAWarning) {
     json other = builder.primitive();
     other["mode"] = mode;
     builder.document["meshes"][0]["primitives"].push_back(other);
-    const Result<Asset> asset = builder.load();
-    ASSERT_TRUE(asset) << asset.error().message;
-    EXPECT_EQ(asset->triangles.size(), 1u);
-    ASSERT_EQ(asset->warnings.size(), 1u);
-    EXPECT_EQ(asset->warnings[0],
-              "mesh 0 \"rock\", primitive 1 is ignored: it has points or lines");
+    const Asset asset = builder.read();
+    EXPECT_EQ(asset.triangles.size(), 1u);
+    ASSERT_EQ(asset.warnings.size(), 1u);
+    EXPECT_EQ(asset.warnings[0], "mesh 0 \"rock\", primitive 1 is ignored: it has points or lines");
   }
 }
 
 TEST(Primitive, PassesOverOneWithoutPositions) {
   GltfBuilder builder = test::stone();
   builder.document["meshes"][0]["primitives"].push_back({{"attributes", json::object()}});
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->warnings[0], "mesh 0 \"rock\", primitive 1 is ignored: it has no POSITION");
+  const Asset asset = builder.read();
+  EXPECT_EQ(asset.warnings[0], "mesh 0 \"rock\", primitive 1 is ignored: it has no POSITION");
 }
 
 TEST(Primitive, TooShortStripsHaveNoTriangles) {
@@ -127,12 +120,11 @@ TEST(Influences, AreReadFromBytesAndShorts) {
 }
 
 TEST(Influences, AreTrimmedToTheLargestNumberInUse) {
-  const Result<Asset> asset = test::paper_strip().load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->influences_per_vertex, 2u);
-  EXPECT_EQ(asset->weights, (std::vector<float>{1, 0, 1, 0, 0.75f, 0.25f, 0.75f, 0.25f, 0.5f, 0.5f,
-                                                0.5f, 0.5f, 0.25f, 0.75f, 0.25f, 0.75f}));
-  EXPECT_EQ(asset->joint_indices,
+  const Asset asset = test::paper_strip().read();
+  EXPECT_EQ(asset.influences_per_vertex, 2u);
+  EXPECT_EQ(asset.weights, (std::vector<float>{1, 0, 1, 0, 0.75f, 0.25f, 0.75f, 0.25f, 0.5f, 0.5f,
+                                               0.5f, 0.5f, 0.25f, 0.75f, 0.25f, 0.75f}));
+  EXPECT_EQ(asset.joint_indices,
             (std::vector<std::uint16_t>{0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1}));
 }
 
@@ -150,10 +142,9 @@ TEST(Influences, OfAllSetsAreKeptInOrder) {
     builder.attribute((std::string("WEIGHTS_") + set).c_str()) =
         builder.add_accessor(weights, "VEC4");
   }
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  ASSERT_EQ(asset->influences_per_vertex, 6u);
-  const std::vector<float> last(asset->weights.end() - 6, asset->weights.end());
+  const Asset asset = builder.read();
+  ASSERT_EQ(asset.influences_per_vertex, 6u);
+  const std::vector<float> last(asset.weights.end() - 6, asset.weights.end());
   EXPECT_EQ(last, (std::vector<float>{0.25f, 0.75f, 0.125f, 0.25f, 0.125f, 0.25f}));
 }
 
@@ -212,19 +203,18 @@ TEST(MorphTargets, AreReadAndHaveTheDefaultWeightsOfTheMesh) {
   GltfBuilder builder = morphing_stone();
   builder.document["meshes"][0]["weights"] = {0.5, 7, 2};
   builder.document["meshes"][0]["extras"] = {{"targetNames", {"wide", "odd"}}};
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->rest_positions[0], (Vec3{0, 0, 0}));
-  EXPECT_EQ(asset->morph_begin, (std::vector<std::uint32_t>{0, 3, 3, 6}));
-  EXPECT_EQ(asset->morph_vertices, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2}));
-  EXPECT_EQ(asset->morph_displacements[2], (Vec3{1, 0, 0}));
-  EXPECT_EQ(asset->morph_displacements[3], (Vec3{0, 1, 0}));
-  EXPECT_EQ(asset->morph_targets[0].name, "wide");
-  EXPECT_EQ(asset->morph_targets[2].name, "");
-  EXPECT_EQ(asset->morph_targets[2].node, 0u);
-  EXPECT_EQ(default_weights(*asset), (std::vector<float>{0.5f, 7, 2}));
-  EXPECT_TRUE(asset->warnings.empty());
-  EXPECT_EQ(build_model(asset->mesh())->morph_target_count(), 3u);
+  const Asset asset = builder.read();
+  EXPECT_EQ(asset.rest_positions[0], (Vec3{0, 0, 0}));
+  EXPECT_EQ(asset.morph_begin, (std::vector<std::uint32_t>{0, 3, 3, 6}));
+  EXPECT_EQ(asset.morph_vertices, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 2}));
+  EXPECT_EQ(asset.morph_displacements[2], (Vec3{1, 0, 0}));
+  EXPECT_EQ(asset.morph_displacements[3], (Vec3{0, 1, 0}));
+  EXPECT_EQ(asset.morph_targets[0].name, "wide");
+  EXPECT_EQ(asset.morph_targets[2].name, "");
+  EXPECT_EQ(asset.morph_targets[2].node, 0u);
+  EXPECT_EQ(default_weights(asset), (std::vector<float>{0.5f, 7, 2}));
+  EXPECT_TRUE(asset.warnings.empty());
+  EXPECT_EQ(build_model(asset.mesh())->morph_target_count(), 3u);
 }
 
 TEST(MorphTargets, HaveTheWeightsOfTheNodeWhereItHasSome) {
@@ -238,22 +228,20 @@ TEST(MorphTargets, AreNumberedNodeAfterNode) {
   GltfBuilder builder = morphing_stone();
   builder.add("nodes", {{"name", "other"}, {"mesh", 0}, {"weights", {1, 2, 3}}});
   builder.document["scenes"][0]["nodes"].push_back(1);
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  ASSERT_EQ(asset->morph_targets.size(), 6u);
-  EXPECT_EQ(asset->morph_targets[3].node, 1u);
-  EXPECT_EQ(asset->morph_begin, (std::vector<std::uint32_t>{0, 3, 3, 6, 9, 9, 12}));
-  EXPECT_EQ(asset->morph_vertices[6], 3u);
-  EXPECT_EQ(default_weights(*asset), (std::vector<float>{0, 0, 0, 1, 2, 3}));
+  const Asset asset = builder.read();
+  ASSERT_EQ(asset.morph_targets.size(), 6u);
+  EXPECT_EQ(asset.morph_targets[3].node, 1u);
+  EXPECT_EQ(asset.morph_begin, (std::vector<std::uint32_t>{0, 3, 3, 6, 9, 9, 12}));
+  EXPECT_EQ(asset.morph_vertices[6], 3u);
+  EXPECT_EQ(default_weights(asset), (std::vector<float>{0, 0, 0, 1, 2, 3}));
 }
 
 /// Sparse displacements take memory only for the displaced vertices.
 TEST(MorphTargets, KeepOnlyWhatMoves) {
   GltfBuilder builder = morphing_stone();
   builder.set_value<float>(1, 3, 0);
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->morph_vertices, (std::vector<std::uint32_t>{0, 2, 0, 1, 2}));
+  const Asset asset = builder.read();
+  EXPECT_EQ(asset.morph_vertices, (std::vector<std::uint32_t>{0, 2, 0, 1, 2}));
 }
 
 /// An unskinned part is placed at rest by its node, and so are its displacements.
@@ -261,10 +249,9 @@ TEST(MorphTargets, TurnWithTheRestPoseOfAnUnskinnedPart) {
   GltfBuilder builder = morphing_stone();
   builder.document["nodes"][0]["scale"] = {2, 3, 4};
   builder.document["nodes"][0]["translation"] = {5, 6, 7};
-  const Result<Asset> asset = builder.load();
-  ASSERT_TRUE(asset) << asset.error().message;
-  EXPECT_EQ(asset->morph_displacements[0], (Vec3{2, 0, 0}));
-  EXPECT_EQ(asset->morph_displacements[3], (Vec3{0, 3, 0}));
+  const Asset asset = builder.read();
+  EXPECT_EQ(asset.morph_displacements[0], (Vec3{2, 0, 0}));
+  EXPECT_EQ(asset.morph_displacements[3], (Vec3{0, 3, 0}));
 }
 
 TEST(MorphTargets, MayHaveNamesThatAreNone) {
@@ -273,9 +260,8 @@ TEST(MorphTargets, MayHaveNamesThatAreNone) {
         test::json{{"targetNames", {1, 2}}}}) {
     GltfBuilder builder = morphing_stone();
     builder.document["meshes"][0]["extras"] = extras;
-    const Result<Asset> asset = builder.load();
-    ASSERT_TRUE(asset) << asset.error().message;
-    EXPECT_EQ(asset->morph_targets[0].name, "");
+    const Asset asset = builder.read();
+    EXPECT_EQ(asset.morph_targets[0].name, "");
   }
 }
 

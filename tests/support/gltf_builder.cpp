@@ -108,6 +108,12 @@ Result<asset::Asset> GltfBuilder::load(const asset::GltfOptions& options) const 
   return asset::load_gltf(glb(), {}, options);
 }
 
+asset::Asset GltfBuilder::read(const asset::GltfOptions& options) const {
+  Result<asset::Asset> asset = load(options);
+  if (!asset) throw std::runtime_error("refused: " + asset.error().message);
+  return *std::move(asset);
+}
+
 ::testing::AssertionResult refused(const Result<asset::Asset>& result,
                                    std::initializer_list<std::string_view> words) {
   if (result) return ::testing::AssertionFailure() << "was not refused";

@@ -80,6 +80,9 @@ class GltfBuilder {
 
   Result<asset::Asset> load(const asset::GltfOptions& options = {}) const;
 
+  /// The same for a sound file: the test fails by an exception if it is refused.
+  asset::Asset read(const asset::GltfOptions& options = {}) const;
+
  private:
   std::size_t add_accessor(std::size_t view, int component_type, const std::string& type,
                            std::size_t count, bool normalised);
