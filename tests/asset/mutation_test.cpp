@@ -1,9 +1,9 @@
 /// Randomly damaged files must be refused, or load as something usable, without a crash and without
 /// excessive memory. The sanitizers detect errors; the memory is counted here.
 
+#include "support/allocation_count.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/gltf_corpus.hpp"
-#include "support/largest_allocation.hpp"
 #include "support/random.hpp"
 #include "support/use_asset.hpp"
 

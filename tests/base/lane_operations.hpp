@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pelt/config.hpp>
+#include "support/compiled.hpp"
 
 #include <cstdint>
 
@@ -32,21 +32,9 @@ using ShortOperations = ShortResults(const std::int16_t* a, const std::int16_t* 
                                      const float* floats);
 using TurnPoints = TurnedPoints(const float* points);
 
-/// The operations as compiled for each instruction set. Addresses need no alignment.
-namespace avx2 {
-LaneOperations lane_operations;
-ShortOperations short_operations;
-TurnPoints turn_points;
-}  // namespace avx2
-namespace simd128 {
-LaneOperations lane_operations;
-ShortOperations short_operations;
-TurnPoints turn_points;
-}  // namespace simd128
-namespace scalar {
-LaneOperations lane_operations;
-ShortOperations short_operations;
-TurnPoints turn_points;
-}  // namespace scalar
+// Addresses need no alignment.
+PELT_DECLARE_COMPILED(LaneOperations, lane_operations)
+PELT_DECLARE_COMPILED(ShortOperations, short_operations)
+PELT_DECLARE_COMPILED(TurnPoints, turn_points)
 
 }  // namespace pelt::test

@@ -3,10 +3,10 @@
 #include <pelt/distance.hpp>
 #include <pelt/search.hpp>
 
-#include "collide/contacts_of.hpp"
 #include "collide/search.hpp"
 #include "collide/search_bodies.hpp"
 #include "model/triangle_places.hpp"
+#include "support/brute_force.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,13 @@
 #include <pelt/distance.hpp>
 
-#include "brute_distance.hpp"
+#include "distance/brute_distance.hpp"
 #include "query/answers.hpp"
-#include "support/limbs.hpp"
+#include "support/animated_character.hpp"
+#include "support/brute_force.hpp"
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace pelt {
 namespace {
@@ -296,6 +299,48 @@ TEST(ClosestPoint, OpensFewNodes) {
   EXPECT_LT(stats.posed_vertices, limb.rest_positions.size() / 4);
   EXPECT_LT(stats.triangle_pairs, 200u);
 }
+
+// Real characters, compared with brute force over all their posed triangles.
+
+struct Case {
+  std::string model;
+  double metre;  ///< one metre in units of the model
+};
+
+using DistanceOfModels = test::OfSharedModels<Case>;
+
+TEST_P(DistanceOfModels, EqualsBruteForce) {
+  const asset::Asset& asset = character->asset;
+  Pose& a = character->pose;
+  Pose b(a.model());
+  Scratch scratch;
+  for (const double metres : {0.5, 1.0, 2.5}) {
+    const auto seconds = static_cast<float>(metres);
+    character->move(character->first_clip(), seconds);
+    Matrix4 shifted;
+    shifted.m[12] = static_cast<float>(metres * GetParam().metre);
+    shifted.m[14] = shifted.m[12] / 3;
+    character->move(b, character->first_clip(), seconds + 0.3f, shifted);
+    const BruteDistance expected =
+        brute_distance(posed_triangles(asset.triangles, a), posed_triangles(asset.triangles, b));
+    Distance closest;
+    distance(a, b, scratch, closest);
+    EXPECT_EQ(closest.distance, expected.distance);
+    EXPECT_EQ(closest.a.triangle, expected.triangle_a);
+    EXPECT_EQ(closest.b.triangle, expected.triangle_b);
+    std::vector<Contact> contacts;
+    std::vector<Contact> touching;
+    collide(a, b, scratch, contacts);
+    clearance(a, b, 0, scratch, touching);
+    EXPECT_EQ(touching, contacts);
+    EXPECT_EQ(closest.distance == 0, !contacts.empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, DistanceOfModels,
+                         testing::Values(Case{"knight.glb", 3}, Case{"cesium_man.glb", 1},
+                                         Case{"fox_khronos.glb", 100}, Case{"spider.glb", 1}),
+                         test::kStemOfModel);
 
 }  // namespace
 }  // namespace pelt

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 
 namespace pelt::test {
 namespace {
@@ -71,9 +70,7 @@ TEST(Orient3d, SeesOneSubnormalUnitBesideOne) {
 }
 
 TEST(Orient3d, EqualsExactSignOfAnyFloats) {
-  constexpr std::uint64_t kSeed = 21;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(21);
   SignCounts signs;
   const std::uint64_t exact_before = exact_sign_count();
   for (int i = 0; i < 200'000; ++i) {
@@ -89,9 +86,7 @@ TEST(Orient3d, EqualsExactSignOfAnyFloats) {
 }
 
 TEST(Orient3d, EqualsExactSignOfNearlyCoplanarPoints) {
-  constexpr std::uint64_t kSeed = 22;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(22);
   SignCounts signs;
   const std::uint64_t exact_before = exact_sign_count();
   for (int i = 0; i < 200'000; ++i) {
@@ -110,9 +105,7 @@ TEST(Orient3d, EqualsExactSignOfNearlyCoplanarPoints) {
 /// Planes through one axis at 45 degrees: the six products cancel in pairs, down to the last bit of
 /// the longest differences of floats.
 TEST(Orient3d, IsZeroOnDiagonalPlanes) {
-  constexpr std::uint64_t kSeed = 25;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(25);
   const auto coordinate = [&] {
     const int exponent = random() % 2 ? -24 : -50;
     return static_cast<float>(std::ldexp(uniform(random, -kLimit, kLimit), exponent));
@@ -128,9 +121,7 @@ TEST(Orient3d, IsZeroOnDiagonalPlanes) {
 }
 
 TEST(Orient3d, FilterDecidesPointsInGeneralPosition) {
-  constexpr std::uint64_t kSeed = 23;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(23);
   const std::uint64_t exact_before = exact_sign_count();
   for (int i = 0; i < 100'000; ++i) {
     const auto [a, b, c] = scaled(uniform_corners(random, -kLimit, kLimit), -24);
@@ -147,9 +138,7 @@ TEST(Orient2d, IsPositiveForCounterClockwiseTurn) {
 }
 
 TEST(Orient2d, EqualsExactSignOfAnyFloats) {
-  constexpr std::uint64_t kSeed = 24;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(24);
   SignCounts signs;
   const std::uint64_t exact_before = exact_sign_count();
   for (int i = 0; i < 300'000; ++i) {

@@ -8,15 +8,8 @@ namespace pelt::test {
 
 using LaneDistances = std::array<double, 8>;
 
-/// Squared distances of eight pairs, as compiled for each instruction set.
-namespace avx2 {
-LaneDistances distance_lanes(const LaneCorners& corners);
-}
-namespace simd128 {
-LaneDistances distance_lanes(const LaneCorners& corners);
-}
-namespace scalar {
-LaneDistances distance_lanes(const LaneCorners& corners);
-}
+/// Squared distances of eight pairs.
+using DistanceLanes = LaneDistances(const LaneCorners& corners);
+PELT_DECLARE_COMPILED(DistanceLanes, distance_lanes)
 
 }  // namespace pelt::test

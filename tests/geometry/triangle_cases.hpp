@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <random>
 #include <string>
 
@@ -20,6 +21,12 @@ inline constexpr std::int64_t kLimit = (1 << 24) - 1;
 using Random = std::mt19937_64;
 using Point = IntegerPoint<std::int64_t>;
 using IntegerCorners = IntegerTriangle<std::int64_t>;
+
+/// Prints the seed.
+inline Random seeded(std::uint64_t seed) {
+  std::cout << "seed " << seed << "\n";
+  return Random(seed);
+}
 
 struct IntegerPair {
   IntegerCorners a, b;

@@ -4,9 +4,9 @@
 
 #include "distance_lanes.hpp"
 #include "exact_distance.hpp"
+#include "geometry/triage_lanes.hpp"
 #include "support/instruction_sets.hpp"
 #include "triangle_cases.hpp"
-#include "turned_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,13 +54,8 @@ void check_wide(const TriangleCorners& a, const TriangleCorners& b) {
     scalar_ones[i] = closest_points(pairs[i][0], pairs[i][1]).squared_distance;
   static LaneCorners lanes;
   fill(lanes, pairs);
-  ASSERT_EQ(scalar::distance_lanes(lanes), scalar_ones) << to_text(a) << to_text(b);
-  if (runs_here(InstructionSet::simd128)) {
-    ASSERT_EQ(simd128::distance_lanes(lanes), scalar_ones) << to_text(a) << to_text(b);
-  }
-  if (runs_here(InstructionSet::avx2)) {
-    ASSERT_EQ(avx2::distance_lanes(lanes), scalar_ones) << to_text(a) << to_text(b);
-  }
+  constexpr Compiled<DistanceLanes> kDistances[] = PELT_ALL_COMPILED(distance_lanes);
+  ASSERT_EQ(on_each_compiled(kDistances, lanes), scalar_ones) << to_text(a) << to_text(b);
 }
 
 /// Counts over many pairs.

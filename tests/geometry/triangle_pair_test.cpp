@@ -226,9 +226,7 @@ TEST(TrianglePairInvariance, ShearedGrid) { expect_invariant(sheared_grid, 36); 
 TEST(TrianglePairInvariance, Slivers) { expect_invariant(slivers, 37); }
 
 TEST(TrianglePairInvariance, AnyFiniteBitPattern) {
-  constexpr std::uint64_t kSeed = 38;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(38);
   int hits = 0;
   for (int i = 0; i < 4'000 && !HasFailure(); ++i) {
     const TriangleCorners a = corners_of(random, any_finite_float);

@@ -4,6 +4,7 @@
 #include "exact/finite_floats.hpp"
 #include "exact/predicates.hpp"
 #include "geometry/triangle_pair.hpp"
+#include "support/instruction_sets.hpp"
 #include "triage_lanes.hpp"
 #include "triangle_cases.hpp"
 
@@ -24,11 +25,6 @@ namespace {
 
 using detail::TriangleCorners;
 using detail::triangles_intersect;
-
-Random seeded(std::uint64_t seed) {
-  std::cout << "seed " << seed << "\n";
-  return Random(seed);
-}
 
 struct TestedPair {
   TriangleCorners a, b;
@@ -184,30 +180,7 @@ constexpr Case kCases[] = {
     {"Slivers", integers<slivers>, 0.2, 1, 0},
 };
 
-/// The test, as compiled for one instruction set.
-struct Compiled {
-  InstructionSet set;
-  LaneMasks (*triage_lanes)(const LaneCorners&);
-
-  bool runs_here() const {
-    const auto available = available_instruction_sets();
-    return std::find(available.begin(), available.end(), set) != available.end();
-  }
-
-  friend void PrintTo(const Compiled& compiled, std::ostream* out) {
-    *out << name_of(compiled.set);
-  }
-};
-
-constexpr Compiled kCompiled[] = {
-    {InstructionSet::scalar, scalar::triage_lanes},
-#ifdef PELT_HAS_SIMD128
-    {InstructionSet::simd128, simd128::triage_lanes},
-#endif
-#ifdef PELT_HAS_AVX2
-    {InstructionSet::avx2, avx2::triage_lanes},
-#endif
-};
+constexpr Compiled<TriageLanes> kTriage[] = PELT_ALL_COMPILED(triage_lanes);
 
 void put(const TriangleCorners& triangle, float (&corners)[3][8][4], std::size_t lane) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -258,54 +231,39 @@ struct Batch {
   }
 };
 
-class TriangleTriage : public testing::TestWithParam<std::tuple<Compiled, Case>> {
- protected:
-  void SetUp() override {
-    if (!compiled().runs_here()) GTEST_SKIP() << "not on this machine: " << name_of(compiled().set);
-  }
-
-  static const Compiled& compiled() { return std::get<0>(GetParam()); }
-  static const Case& tested() { return std::get<1>(GetParam()); }
-};
+class TriangleTriage : public testing::TestWithParam<Case> {};
 
 TEST_P(TriangleTriage, DecidesAsTheExactTest) {
   Random random = seeded(61);
   Tally tally;
   for (int i = 0; i < 2'000 && !HasFailure(); ++i) {
-    const Batch batch(random, tested().make);
+    const Batch batch(random, GetParam().make);
     for (const LaneCorners* corners : {&batch.forth, &batch.back}) {
-      const LaneMasks masks = compiled().triage_lanes(*corners);
-      batch.tally(masks, tally);
-      EXPECT_EQ(masks, scalar::triage_lanes(*corners));
+      batch.tally(on_each_compiled(kTriage, *corners), tally);
     }
   }
-  EXPECT_GE(tally.undecided_share(), tested().least_undecided);
-  EXPECT_LE(tally.undecided_share(), tested().most_undecided);
-  EXPECT_GE(tally.intersecting, tested().least_intersecting * (tally.apart + tally.intersecting));
+  EXPECT_GE(tally.undecided_share(), GetParam().least_undecided);
+  EXPECT_LE(tally.undecided_share(), GetParam().most_undecided);
+  EXPECT_GE(tally.intersecting, GetParam().least_intersecting * (tally.apart + tally.intersecting));
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<Compiled, Case>>& tested) {
-  return std::string(name_of(std::get<0>(tested.param).set)) + "_" + std::get<1>(tested.param).name;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, TriangleTriage,
-                         testing::Combine(testing::ValuesIn(kCompiled), testing::ValuesIn(kCases)),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(All, TriangleTriage, testing::ValuesIn(kCases),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(TriangleTriageMasks, AreTheSameForEveryTargetAndCompiler) {
   constexpr std::uint64_t kGolden = 0xce7758364713cc68u;
-  for (const Compiled& compiled : kCompiled) {
-    if (!compiled.runs_here()) continue;
+  for (const auto& [set, triage] : kTriage) {
+    if (!runs_here(set)) continue;
     Random random = seeded(62);
     detail::Fnv1a64 hash;
     for (int i = 0; i < 2'000; ++i) {
       for (const auto make : {close_at_0, close_at_1000, needle, almost_coplanar, almost_touching,
                               of_size<41>, of_size<-26>}) {
-        const LaneMasks masks = compiled.triage_lanes(Batch(random, make).forth);
+        const LaneMasks masks = triage(Batch(random, make).forth);
         hash.add_u32(masks.apart << 8 | masks.intersecting);
       }
     }
-    EXPECT_EQ(hash.value(), kGolden) << name_of(compiled.set);
+    EXPECT_EQ(hash.value(), kGolden) << name_of(set);
   }
 }
 

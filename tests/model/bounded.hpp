@@ -125,6 +125,9 @@ inline double excess(const PlainBox& box, const PlainBox& exact) {
   return most;
 }
 
+inline constexpr Compiled<NodeBoxFunction> kCompiledNodeBoxes[] =
+    PELT_ALL_COMPILED(compiled_node_box);
+
 inline PlainBox node_box(const NodeBounds& bounds, std::uint32_t node, const Palette& palette) {
   return scalar::compiled_node_box(bounds, node, palette);
 }
@@ -181,10 +184,9 @@ inline void expect_enclosed(const Bounded& bounded, const Palette& palette, Tall
         << name_of(bounded.bounds.nodes[node].kind) << " around " << set.size()
         << " vertices leave out one by " << excess(box, exact);
     ASSERT_TRUE(is_finite(box) || !is_usable(bounded, bounded.bounds.nodes[node]));
-    for (const CompiledNodeBox& compiled : kCompiledNodeBoxes) {
+    for (const auto& compiled : kCompiledNodeBoxes) {
       if (!runs_here(compiled.set)) continue;
-      ASSERT_EQ(compiled.node_box(bounded.bounds, node, palette), box)
-          << pelt::name_of(compiled.set);
+      ASSERT_EQ(compiled.call(bounded.bounds, node, palette), box) << pelt::name_of(compiled.set);
     }
     add_margin_needed(bounded, node, palette, exact, tally);
     ++tally.boxes;

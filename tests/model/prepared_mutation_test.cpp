@@ -2,8 +2,8 @@
 /// crash and without excessive memory. The sanitizers detect errors; the memory is counted here. A
 /// separate program, because it replaces operator new.
 
+#include "support/allocation_count.hpp"
 #include "support/dual_shapes.hpp"
-#include "support/largest_allocation.hpp"
 #include "support/prepared_file.hpp"
 #include "support/random.hpp"
 #include "support/skinned_shapes.hpp"

@@ -9,15 +9,8 @@ struct MovingLanes {
   LaneCorners from, to;
 };
 
-/// The certified test of moving triangles, as compiled for each instruction set.
-namespace avx2 {
-LaneMasks moving_triage_lanes(const MovingLanes& lanes);
-}
-namespace simd128 {
-LaneMasks moving_triage_lanes(const MovingLanes& lanes);
-}
-namespace scalar {
-LaneMasks moving_triage_lanes(const MovingLanes& lanes);
-}
+/// The certified test of moving triangles.
+using MovingTriageLanes = LaneMasks(const MovingLanes& lanes);
+PELT_DECLARE_COMPILED(MovingTriageLanes, moving_triage_lanes)
 
 }  // namespace pelt::test

@@ -7,6 +7,7 @@
 #include "motion/moving_pair.hpp"
 #include "moving_floats.hpp"
 #include "moving_lanes.hpp"
+#include "support/instruction_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,26 +60,7 @@ constexpr Case kCases[] = {
     {"PointsPassing", points_passing, 0.4, 1, 0},
 };
 
-/// The test, as compiled for one instruction set.
-struct Compiled {
-  InstructionSet set;
-  LaneMasks (*moving_triage_lanes)(const MovingLanes&);
-
-  bool runs_here() const {
-    const auto available = available_instruction_sets();
-    return std::find(available.begin(), available.end(), set) != available.end();
-  }
-};
-
-constexpr Compiled kCompiled[] = {
-    {InstructionSet::scalar, scalar::moving_triage_lanes},
-#ifdef PELT_HAS_SIMD128
-    {InstructionSet::simd128, simd128::moving_triage_lanes},
-#endif
-#ifdef PELT_HAS_AVX2
-    {InstructionSet::avx2, avx2::moving_triage_lanes},
-#endif
-};
+constexpr Compiled<MovingTriageLanes> kTriage[] = PELT_ALL_COMPILED(moving_triage_lanes);
 
 void put(const TriangleCorners& triangle, float (&corners)[3][8][4], std::size_t lane) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -125,11 +107,9 @@ TEST_P(MovingTriage, DecidesAsTheExactTest) {
   Tally tally;
   for (int i = 0; i < 100 && !HasFailure(); ++i) {
     const Batch batch(random, GetParam().make);
-    const LaneMasks masks = scalar::moving_triage_lanes(batch.lanes);
+    const LaneMasks masks = on_each_compiled(kTriage, batch.lanes);
     for (std::size_t lane = 0; lane < 8; ++lane)
       tally.add(batch.pairs[lane], masks.apart >> lane & 1, masks.intersecting >> lane & 1);
-    for (const Compiled& compiled : kCompiled)
-      EXPECT_TRUE(!compiled.runs_here() || compiled.moving_triage_lanes(batch.lanes) == masks);
   }
   const int decided = tally.apart + tally.intersecting;
   const double undecided = 1 - 1.0 * decided / tally.pairs;
@@ -145,17 +125,17 @@ INSTANTIATE_TEST_SUITE_P(All, MovingTriage, testing::ValuesIn(kCases),
 
 TEST(MovingTriageMasks, AreTheSameForEveryTargetAndCompiler) {
   constexpr std::uint64_t kGolden = 0xcffe9c1081ca7f90u;
-  for (const Compiled& compiled : kCompiled) {
-    if (!compiled.runs_here()) continue;
+  for (const auto& [set, triage] : kTriage) {
+    if (!runs_here(set)) continue;
     Random random(192);
     detail::Fnv1a64 hash;
     for (int i = 0; i < 2'000; ++i) {
       for (const auto make : {close_at_1, close_at_1000, slow, of_size<41>, of_size<-25>}) {
-        const LaneMasks masks = compiled.moving_triage_lanes(Batch(random, make).lanes);
+        const LaneMasks masks = triage(Batch(random, make).lanes);
         hash.add_u32(masks.apart << 8 | masks.intersecting);
       }
     }
-    EXPECT_EQ(hash.value(), kGolden) << name_of(compiled.set);
+    EXPECT_EQ(hash.value(), kGolden) << name_of(set);
   }
 }
 

@@ -236,9 +236,7 @@ TEST(MinSphere, IsMinimalOfTinyClusterFarFromOrigin) {
 }
 
 TEST(MinSphere, IsMinimalOfManyPoints) {
-  constexpr std::uint64_t kSeed = 57;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(57);
   auto points = scaled_points(uniform_points(random, 100'000, -kLimit, kLimit), -24);
   const Sphere sphere = min_sphere(points);
   EXPECT_TRUE(encloses_exactly(sphere, points));
@@ -252,9 +250,7 @@ TEST(MinSphere, IsMinimalOfManyPoints) {
 }
 
 TEST(MinSphere, OfManyPointsOnSphereIsThatSphere) {
-  constexpr std::uint64_t kSeed = 58;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(58);
   std::normal_distribution<double> gauss;
   std::vector<Vec3> points;
   for (int i = 0; i < 50'000; ++i) {
@@ -274,9 +270,7 @@ TEST(MinSphere, OfManyEqualPointsIsThePoint) {
 }
 
 TEST(MinSphere, IsTheSameEveryTime) {
-  constexpr std::uint64_t kSeed = 59;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(59);
   const auto points = scaled_points(uniform_points(random, 1000, -9, 9), 0);
   const Sphere first = min_sphere(points), second = min_sphere(points);
   EXPECT_EQ(first.centre, second.centre);
@@ -285,9 +279,7 @@ TEST(MinSphere, IsTheSameEveryTime) {
 
 /// A vertex is farther away by less than double can represent.
 TEST(MinSphere, IsMinimalOfFarPoints) {
-  constexpr std::uint64_t kSeed = 65;
-  std::cout << "seed " << kSeed << "\n";
-  Random random(kSeed);
+  Random random = seeded(65);
   for (int i = 0; i < 8'000 && !HasFatalFailure(); ++i) {
     const int exponent = static_cast<int>(uniform(random, -25, -15));
     TriangleCorners corners = scaled(uniform_corners(random, -3, 3), exponent);

@@ -3,10 +3,10 @@
 
 #include <pelt/pelt.hpp>
 
-#include "collide/contacts_of.hpp"
 #include "pose/pose.hpp"
 #include "skin/skin.hpp"
 #include "support/allocation_count.hpp"
+#include "support/brute_force.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/random_offsets.hpp"
 #include "support/skinned_shapes.hpp"

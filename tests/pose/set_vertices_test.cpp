@@ -3,8 +3,8 @@
 
 #include <pelt/pelt.hpp>
 
-#include "collide/contacts_of.hpp"
 #include "pose/pose.hpp"
+#include "support/brute_force.hpp"
 #include "support/skinned_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pelt/math.hpp>
+#include "support/compiled.hpp"
 
 namespace pelt::test {
 
@@ -15,15 +16,9 @@ struct RayLaneMasks {
   friend bool operator==(const RayLaneMasks&, const RayLaneMasks&) = default;
 };
 
-/// The certified test, as compiled for each instruction set.
-namespace avx2 {
-RayLaneMasks ray_lanes(const Vec3& origin, const Vec3& direction, const RayLaneCorners& corners);
-}
-namespace simd128 {
-RayLaneMasks ray_lanes(const Vec3& origin, const Vec3& direction, const RayLaneCorners& corners);
-}
-namespace scalar {
-RayLaneMasks ray_lanes(const Vec3& origin, const Vec3& direction, const RayLaneCorners& corners);
-}
+/// The certified test.
+using RayLanes = RayLaneMasks(const Vec3& origin, const Vec3& direction,
+                              const RayLaneCorners& corners);
+PELT_DECLARE_COMPILED(RayLanes, ray_lanes)
 
 }  // namespace pelt::test

@@ -20,20 +20,7 @@ using detail::RayCrossing;
 using detail::RayLine;
 using detail::TriangleCorners;
 
-struct Compiled {
-  InstructionSet set;
-  RayLaneMasks (*lanes)(const Vec3&, const Vec3&, const RayLaneCorners&);
-};
-
-constexpr Compiled kCompiled[] = {
-    {InstructionSet::scalar, scalar::ray_lanes},
-#ifdef PELT_HAS_SIMD128
-    {InstructionSet::simd128, simd128::ray_lanes},
-#endif
-#ifdef PELT_HAS_AVX2
-    {InstructionSet::avx2, avx2::ray_lanes},
-#endif
-};
+constexpr Compiled<RayLanes> kRayLanes[] = PELT_ALL_COMPILED(ray_lanes);
 
 using EightTriangles = std::array<TriangleCorners, 8>;
 
@@ -46,12 +33,7 @@ RayLaneMasks triage(const RayLine& line, const EightTriangles& triangles) {
       corners[k][i][0] = p.x, corners[k][i][1] = p.y, corners[k][i][2] = p.z;
       corners[k][i][3] = 0;
     }
-  const RayLaneMasks masks = scalar::ray_lanes(line.origin, line.direction, corners);
-  for (const Compiled& compiled : kCompiled)
-    if (runs_here(compiled.set)) {
-      EXPECT_EQ(compiled.lanes(line.origin, line.direction, corners), masks);
-    }
-  return masks;
+  return on_each_compiled(kRayLanes, line.origin, line.direction, corners);
 }
 
 struct Counts {

@@ -3,35 +3,22 @@
 #include "ray_cases.hpp"
 #include "ray_oracle.hpp"
 #include "scenes/scene.hpp"
+#include "support/animated_character.hpp"
 #include "support/values.hpp"
-
-#include <pelt/asset.hpp>
 
 #include <gtest/gtest.h>
 
 namespace pelt::test {
 namespace {
 
-/// A character at a time of its first clip.
-struct Character {
-  Character(asset::Asset a, float seconds)
-      : asset(std::move(a)),
-        pose(*build_model(asset.mesh(), {.off_weights = OffWeights::renormalise})) {
-    std::vector<Matrix4> palette(asset.joints.size());
-    asset::SampleScratch scratch;
-    const asset::Clip* clip = asset.clips.empty() ? nullptr : &asset.clips[0];
-    asset::sample_palette(asset, clip, seconds, Matrix4(), scratch, palette);
-    EXPECT_TRUE(pose.set_palette(palette));
-  }
+AnimatedCharacter make_walker(float seconds) {
+  AnimatedCharacter walker(scenes::generate_character(scenes::kDwarf)->asset);
+  walker.move(walker.first_clip(), seconds);
+  return walker;
+}
 
-  RayOracle oracle() const { return {asset.triangles, pose}; }
-
-  asset::Asset asset;
-  Pose pose;
-};
-
-Character make_walker(float seconds) {
-  return {scenes::generate_character(scenes::kDwarf)->asset, seconds};
+RayOracle oracle_of(const AnimatedCharacter& character) {
+  return {character.asset.triangles, character.pose};
 }
 
 bool is_on_edge(const RayHit& hit) {
@@ -48,8 +35,8 @@ TEST(Watertight, ARayFromOutsideEntersAsOftenAsItLeaves) {
   Scratch scratch;
   int crossed = 0;
   for (const float seconds : {0.0f, 0.3f, 0.7f}) {
-    Character walker = make_walker(seconds);
-    const RayOracle oracle = walker.oracle();
+    AnimatedCharacter walker = make_walker(seconds);
+    const RayOracle oracle = oracle_of(walker);
     const RayCases cases(walker.asset.triangles, oracle.positions());
     for (int i = 0; i < 800; ++i) {
       Vec3 far = random.point(1);
@@ -75,8 +62,8 @@ TEST(Watertight, ARayFromInsideAlwaysHits) {
   Scratch scratch;
   int places = 0, on_edges = 0;
   for (const float seconds : {0.0f, 0.4f}) {
-    Character walker = make_walker(seconds);
-    const RayOracle oracle = walker.oracle();
+    AnimatedCharacter walker = make_walker(seconds);
+    const RayOracle oracle = oracle_of(walker);
     const RayCases cases(walker.asset.triangles, oracle.positions());
     for (int i = 0; i < 150; ++i) {
       const Ray ray = {{random.uniformf(-0.3, 0.3), random.uniformf(0.2, 1.7), 10}, {0, 0, -1}};
@@ -103,21 +90,19 @@ TEST(Watertight, ARayFromInsideAlwaysHits) {
   EXPECT_GT(places, 50);
 }
 
-class RealModel : public ::testing::TestWithParam<const char*> {};
+using RealModel = OfSharedModels<>;
 
 TEST_P(RealModel, EqualsBruteForce) {
-  const auto path = std::filesystem::path(PELT_SHARED_DIR) / "models" / GetParam();
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
   Random random(102);
   Scratch scratch;
   std::size_t hits = 0, several = 0;
   for (const float seconds : {0.0f, 0.5f}) {
-    Character character(std::move(*asset::load_gltf(path)), seconds);
-    const RayOracle oracle = character.oracle();
-    const RayCases cases(character.asset.triangles, oracle.positions());
+    character->move(character->first_clip(), seconds);
+    const RayOracle oracle = oracle_of(*character);
+    const RayCases cases(character->asset.triangles, oracle.positions());
     for (int i = 0; i < 200; ++i) {
       const std::size_t count =
-          expect_as_oracle(character.pose, oracle, cases.next(random), scratch);
+          expect_as_oracle(character->pose, oracle, cases.next(random), scratch);
       hits += count > 0;
       several += count > 2;
     }

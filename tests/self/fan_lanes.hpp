@@ -1,8 +1,7 @@
 #pragma once
 
 #include "self/flat_fans.hpp"
-
-#include <pelt/config.hpp>
+#include "support/compiled.hpp"
 
 #include <array>
 #include <cstdint>
@@ -20,18 +19,9 @@ struct TestedFans {
   friend bool operator==(const TestedFans&, const TestedFans&) = default;
 };
 
-// The same function, compiled for each instruction set.
-namespace avx2 {
-TestedFans test_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
-                     std::uint32_t count, const FanPositions& positions);
-}
-namespace simd128 {
-TestedFans test_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
-                     std::uint32_t count, const FanPositions& positions);
-}
-namespace scalar {
-TestedFans test_fans(const detail::Fans& fans, const detail::FanRun& run, std::uint32_t first,
-                     std::uint32_t count, const FanPositions& positions);
-}
+using TestFans = TestedFans(const detail::Fans& fans, const detail::FanRun& run,
+                            std::uint32_t first, std::uint32_t count,
+                            const FanPositions& positions);
+PELT_DECLARE_COMPILED(TestFans, test_fans)
 
 }  // namespace pelt::test

@@ -226,18 +226,8 @@ class FlatFans : public testing::TestWithParam<Case> {
 
   /// The result, which must be the same with each instruction set.
   TestedFans test(const detail::FanRun& run, std::uint32_t first, std::uint32_t count) const {
-    const TestedFans tested = scalar::test_fans(fans_, run, first, count, positions_);
-#ifdef PELT_HAS_SIMD128
-    if (runs_here(InstructionSet::simd128)) {
-      EXPECT_EQ(simd128::test_fans(fans_, run, first, count, positions_), tested);
-    }
-#endif
-#ifdef PELT_HAS_AVX2
-    if (runs_here(InstructionSet::avx2)) {
-      EXPECT_EQ(avx2::test_fans(fans_, run, first, count, positions_), tested);
-    }
-#endif
-    return tested;
+    constexpr Compiled<TestFans> kTestFans[] = PELT_ALL_COMPILED(test_fans);
+    return on_each_compiled(kTestFans, fans_, run, first, count, positions_);
   }
 
   void check(const detail::FanRun& run, std::uint32_t first, std::uint32_t count,

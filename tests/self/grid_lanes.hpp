@@ -2,8 +2,7 @@
 
 #include "base/arena.hpp"
 #include "pose/posed_tree.hpp"
-
-#include <pelt/config.hpp>
+#include "support/compiled.hpp"
 
 #include <cstdint>
 
@@ -21,15 +20,6 @@ using GridLanes = GridBoxesOfCluster(const detail::PosedTree& posed,
                                      const std::uint32_t* cluster_nodes, std::uint32_t cluster,
                                      std::uint32_t other);
 
-/// The function, compiled once for each instruction set.
-namespace avx2 {
-GridLanes grid_boxes;
-}
-namespace simd128 {
-GridLanes grid_boxes;
-}
-namespace scalar {
-GridLanes grid_boxes;
-}
+PELT_DECLARE_COMPILED(GridLanes, grid_boxes)
 
 }  // namespace pelt::test

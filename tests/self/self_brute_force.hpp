@@ -2,10 +2,11 @@
 
 /// The contacts of a pose with itself, by a test of all pairs.
 
+#include <pelt/self.hpp>
+#include <pelt/self_filter.hpp>
+
 #include "self/neighbours.hpp"
 #include "support/skinned_shapes.hpp"
-
-#include <pelt/self.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -7,11 +7,11 @@
 /// - For CGAL, corners are shared if they are one vertex of the mesh, wherever it is. The meshes
 ///   here have no cracks.
 
-#include <pelt/asset.hpp>
 #include <pelt/self_filter.hpp>
 
 #include "scenes/creature.hpp"
 #include "self_brute_force.hpp"
+#include "support/animated_character.hpp"
 #include "support/pinned_shapes.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 
 namespace pelt::test {
@@ -126,13 +125,12 @@ TEST(SelfCgal, FoldedLimbs) {
 }
 
 /// Compares frames of all clips. With `reversed`, each joint has the matrix of another joint.
-void compare_frames(const asset::Asset& asset, bool reversed, Compared& compared) {
+void compare_frames(AnimatedCharacter& character, bool reversed, Compared& compared) {
+  const asset::Asset& asset = character.asset;
   const std::vector<std::uint32_t> surface = surface_vertices(asset.mesh());
-  Pose pose(*build_model(asset.mesh(), {.off_weights = OffWeights::renormalise}));
-  asset::SampleScratch samples;
-  std::vector<Matrix4> palette(asset.joints.size());
+  Pose& pose = character.pose;
   for (const asset::Clip& clip : asset.clips) {
-    sample_palette(asset, &clip, clip.duration / 3, {}, samples, palette);
+    std::vector<Matrix4> palette = character.palette(&clip, clip.duration / 3);
     if (reversed) std::reverse(palette.begin(), palette.end());
     ASSERT_TRUE(pose.set_palette(palette));
     compare(pose, posed_triangles(asset.mesh(), surface, pose), compared);
@@ -141,17 +139,20 @@ void compare_frames(const asset::Asset& asset, bool reversed, Compared& compared
 
 TEST(SelfCgal, GeneratedCharacter) {
   Compared compared;
-  compare_frames(*scenes::make_creature(scenes::kDwarf), true, compared);
+  AnimatedCharacter dwarf(*scenes::make_creature(scenes::kDwarf));
+  compare_frames(dwarf, true, compared);
   EXPECT_GT(compared.contacts, 100u);
 }
 
-TEST(SelfCgal, RealCharacter) {
-  const auto path = std::filesystem::path(PELT_SHARED_DIR) / "models" / "human.glb";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+using SelfCgalOfModels = OfSharedModels<>;
+
+TEST_P(SelfCgalOfModels, RealCharacter) {
   Compared compared;
-  compare_frames(*asset::load_gltf(path), false, compared);
+  compare_frames(*character, false, compared);
   EXPECT_GT(compared.contacts, 5000u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Shared, SelfCgalOfModels, testing::Values("human.glb"), kStemOfModel);
 
 }  // namespace
 }  // namespace pelt::test

@@ -8,15 +8,8 @@ namespace pelt::test {
 
 using LaneSeparations = std::array<float, 8>;
 
-/// Lower bounds of the distances of eight pairs, as compiled for each instruction set.
-namespace avx2 {
-LaneSeparations separation_lanes(const LaneCorners& corners);
-}
-namespace simd128 {
-LaneSeparations separation_lanes(const LaneCorners& corners);
-}
-namespace scalar {
-LaneSeparations separation_lanes(const LaneCorners& corners);
-}
+/// Lower bounds of the distances of eight pairs.
+using SeparationLanes = LaneSeparations(const LaneCorners& corners);
+PELT_DECLARE_COMPILED(SeparationLanes, separation_lanes)
 
 }  // namespace pelt::test

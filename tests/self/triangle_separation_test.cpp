@@ -2,8 +2,8 @@
 #include "self/neighbour_gaps.hpp"
 
 #include "geometry/exact_distance.hpp"
+#include "geometry/triage_lanes.hpp"
 #include "geometry/triangle_cases.hpp"
-#include "geometry/turned_pairs.hpp"
 #include "separation_lanes.hpp"
 #include "support/instruction_sets.hpp"
 
@@ -21,14 +21,8 @@ using detail::triangles_intersect;
 LaneSeparations separations_of(const TriangleCorners& a, const TriangleCorners& b) {
   static LaneCorners lanes;
   fill(lanes, turned(a, b));
-  const LaneSeparations bounds = scalar::separation_lanes(lanes);
-  if (runs_here(InstructionSet::simd128)) {
-    EXPECT_EQ(simd128::separation_lanes(lanes), bounds);
-  }
-  if (runs_here(InstructionSet::avx2)) {
-    EXPECT_EQ(avx2::separation_lanes(lanes), bounds);
-  }
-  return bounds;
+  constexpr Compiled<SeparationLanes> kSeparations[] = PELT_ALL_COMPILED(separation_lanes);
+  return on_each_compiled(kSeparations, lanes);
 }
 
 /// Returns how many of the pairs that do not touch have a positive bound, in per cent.

@@ -1,7 +1,6 @@
-#include "solid/region_triangle.hpp"
-
 #include "exact/predicates.hpp"
 #include "geometry/rational_distance.hpp"
+#include "solid/region_triangle.hpp"
 #include "support/random.hpp"
 
 #include <gtest/gtest.h>
@@ -125,6 +124,108 @@ TEST(CapsuleTriangle, TouchesExactlyWherePythagorasSays) {
     EXPECT_EQ(place_triangle(point, {{}, {}, std::nextafter(radius, 0.0f)}), TrianglePlace::apart);
   }
   EXPECT_GT(exact_sign_count(), before);
+}
+
+mpq_class side(const Face& face, const RationalPoint& p) {
+  return test::dot(test::to_rational(face.normal),
+                   test::difference(p, test::to_rational(face.origin))) -
+         mpq_class(static_cast<double>(face.offset));
+}
+
+/// Clips a convex polygon at a face (Sutherland & Hodgman 1974).
+std::vector<RationalPoint> cut(const std::vector<RationalPoint>& polygon, const Face& face) {
+  std::vector<RationalPoint> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const RationalPoint &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const mpq_class at_p = side(face, p), at_q = side(face, q);
+    if (at_p <= 0) kept.push_back(p);
+    if ((at_p < 0 && at_q > 0) || (at_p > 0 && at_q < 0)) {
+      const mpq_class share = at_p / (at_p - at_q);
+      RationalPoint crossing = p;
+      for (std::size_t a = 0; a < 3; ++a) crossing[a] += share * (q[a] - p[a]);
+      kept.push_back(crossing);
+    }
+  }
+  return kept;
+}
+
+TrianglePlace expected(const TriangleCorners& triangle, const std::vector<Face>& faces) {
+  std::vector<RationalPoint> polygon;
+  bool is_inside = true;
+  for (const Vec3& corner : triangle) {
+    polygon.push_back(test::to_rational(corner));
+    for (const Face& face : faces)
+      if (side(face, polygon.back()) > 0) is_inside = false;
+  }
+  if (is_inside) return TrianglePlace::inside;
+  for (const Face& face : faces) polygon = cut(polygon, face);
+  return polygon.empty() ? TrianglePlace::apart : TrianglePlace::touching;
+}
+
+/// Tests 4,000 triangles against `face_count` random faces each.
+template <typename MakePoint>
+void expect_as_rationals(Random& random, std::uint32_t most_faces, int least,
+                         const MakePoint& point) {
+  std::array<int, 3> counts = {};
+  for (int i = 0; i < 4000; ++i) {
+    const TriangleCorners triangle = {point(), point(), point()};
+    std::vector<Face> faces(1 + random.index(most_faces));
+    for (Face& face : faces) face = {point(), point(), std::fabs(point().x)};
+    const TrianglePlace place = place_triangle(triangle, faces);
+    ASSERT_EQ(place, expected(triangle, faces)) << "case " << i;
+    ++counts[static_cast<std::size_t>(place)];
+  }
+  std::printf("apart %d, touching %d, inside %d\n", counts[0], counts[1], counts[2]);
+  for (const int count : counts) EXPECT_GE(count, least);
+}
+
+TEST(FacesTriangle, EqualsRationalsOnAGridWhereMuchTouches) {
+  Random random(530);
+  for (const std::uint32_t most_faces : {2u, 4u, 8u})
+    expect_as_rationals(random, most_faces, 50, [&] {
+      const auto coordinate = [&] { return static_cast<float>(random.index(5)) - 2; };
+      return Vec3{coordinate(), coordinate(), coordinate()};
+    });
+}
+
+TEST(FacesTriangle, EqualsRationalsInGeneralPosition) {
+  Random random(531);
+  for (const std::uint32_t most_faces : {3u, 6u, 12u})
+    expect_as_rationals(random, most_faces, 50, [&] { return random.point(1); });
+}
+
+TEST(FacesTriangle, EqualsRationalsOnAllScalesAtOnce) {
+  Random random(532);
+  const auto coordinate = [&] {
+    return std::ldexp(random.uniformf(-1, 1), static_cast<int>(random.index(120)) - 60);
+  };
+  expect_as_rationals(random, 5, 20, [&] {
+    return Vec3{coordinate(), coordinate(), coordinate()};
+  });
+}
+
+/// A triangle whose interior touches an edge or a vertex of a box whose coordinates are not round
+/// in binary.
+TEST(FacesTriangle, TouchesAtAnEdgeAndACornerOfABox) {
+  const float c = 0.1f;
+  const std::vector<Face> box = {{{1, 0, 0}, {}, c},  {{-1, 0, 0}, {}, c}, {{0, 1, 0}, {}, c},
+                                 {{0, -1, 0}, {}, c}, {{0, 0, 1}, {}, c},  {{0, 0, -1}, {}, c}};
+  const TriangleCorners over_edge = {Vec3{2 * c, 0, 0}, Vec3{0, 2 * c, 0}, Vec3{2 * c, 2 * c, 1}};
+  EXPECT_EQ(place_triangle(over_edge, box), TrianglePlace::touching);
+  const TriangleCorners over_corner = {Vec3{3 * c, 0, 0}, Vec3{0, 3 * c, 0}, Vec3{0, 0, 3 * c}};
+  EXPECT_EQ(place_triangle(over_corner, box), expected(over_corner, box));
+  const float beyond = std::nextafter(2 * c, 1.0f);
+  const TriangleCorners past_edge = {Vec3{beyond, 0, 0}, Vec3{0, beyond, 0}, Vec3{2 * c, 2 * c, 1}};
+  EXPECT_EQ(place_triangle(past_edge, box), TrianglePlace::apart);
+}
+
+TEST(FacesTriangle, NoFacesAreAllOfSpaceAndContradictingOnesNothing) {
+  const TriangleCorners triangle = {Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}};
+  EXPECT_EQ(place_triangle(triangle, std::span<const Face>()), TrianglePlace::inside);
+  const Face nothing[] = {{{1, 0, 0}, {}, 1}, {{-1, 0, 0}, {}, -2}};
+  EXPECT_EQ(place_triangle(triangle, nothing), TrianglePlace::apart);
+  const Face nowhere[] = {{{0, 0, 0}, {}, -1}};
+  EXPECT_EQ(place_triangle(triangle, nowhere), TrianglePlace::apart);
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 
 /// The contacts of two posed meshes, by a test of all pairs of triangles.
 
-#include "geometry/triangle_pair.hpp"
-
 #include <pelt/collide.hpp>
+
+#include "geometry/triangle_pair.hpp"
+#include "support/skinned_shapes.hpp"
+
+#include <gtest/gtest.h>
 
 #include <span>
 #include <vector>
@@ -36,5 +39,38 @@ inline std::vector<Contact> brute_force(std::span<const Triangle> triangles_a, c
       if (detail::triangles_intersect(a[i], b[k])) contacts.push_back({i, k});
   return contacts;
 }
+
+// The contacts of two poses, by a query and by brute force.
+
+inline std::vector<Contact> contacts_of(Pose& a, Pose& b, Scratch& scratch) {
+  std::vector<Contact> contacts;
+  collide(a, b, scratch, contacts);
+  return contacts;
+}
+
+inline std::vector<Contact> brute_force(const Shape& a, const Pose& pose_a, const Shape& b,
+                                        const Pose& pose_b) {
+  return brute_force(a.triangles, pose_a, b.triangles, pose_b);
+}
+
+/// Two bending limbs, some of which touch.
+struct LimbPair {
+  Shape shape_a = make_limb(24, 10, 5), shape_b = make_limb(17, 9, 4);
+  Pose a = Pose(*build_model(shape_a.view())), b = Pose(*build_model(shape_b.view()));
+  Scratch scratch;
+
+  void move(Random& random, double distance) {
+    ASSERT_TRUE(a.set_palette(bend_limb(random, 5, random.uniform(-0.6, 0.6), {})));
+    ASSERT_TRUE(
+        b.set_palette(bend_limb(random, 4, random.uniform(-0.6, 0.6), random.point(distance))));
+  }
+
+  std::vector<detail::TriangleCorners> triangles_a() const {
+    return posed_triangles(shape_a.triangles, a);
+  }
+  std::vector<detail::TriangleCorners> triangles_b() const {
+    return posed_triangles(shape_b.triangles, b);
+  }
+};
 
 }  // namespace pelt::test

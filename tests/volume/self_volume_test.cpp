@@ -3,13 +3,18 @@
 
 #include <pelt/inside.hpp>
 #include <pelt/self.hpp>
+#include <pelt/self_filter.hpp>
 
-#include "self_volume_reference.hpp"
+#include "support/animated_character.hpp"
 #include "support/closed_body.hpp"
+#include "volume/self_volume_reference.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <span>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -115,6 +120,46 @@ TEST(SelfIntersectionVolume, CountsItsWork) {
   EXPECT_GE(work.triangle_pairs, collide.triangle_pairs + contacts.size());
   EXPECT_GT(work.node_pairs, collide.node_pairs) << "two rays";
 }
+
+// Volumes of real characters with themselves, against intersections with a copy.
+
+struct Case {
+  const char* model;
+  std::size_t most_clips;
+  int frames, least_overlaps;
+};
+
+using SelfVolumeOfCharacters = OfSharedModels<Case>;
+
+TEST_P(SelfVolumeOfCharacters, EqualsThatOfACopy) {
+  const std::vector<asset::Clip>& all = character->asset.clips;
+  Pose& pose = character->pose;
+  ASSERT_TRUE(pose.model().surface().is_closed());
+  Scratch scratch;
+  int overlaps = 0;
+  const std::size_t clips = std::min(all.size(), GetParam().most_clips);
+  for (const asset::Clip& clip : std::span(all).first(clips))
+    for (int frame = 0; frame < GetParam().frames; ++frame) {
+      SCOPED_TRACE(testing::Message() << "clip " << clip.name << ", frame " << frame);
+      const float share = static_cast<float>(frame) / static_cast<float>(GetParam().frames);
+      character->move(&clip, clip.duration * share);
+      Volume found;
+      self_intersection_volume(pose, scratch, found);
+      const Volume expected = volume_with_a_copy(pose);
+      expect_equal_within_errors(found, expected);
+      EXPECT_LT(found.error, expected.error);
+      overlaps += std::abs(found.value) > found.error;
+    }
+  EXPECT_GE(overlaps, GetParam().least_overlaps);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, SelfVolumeOfCharacters,
+                         testing::Values(Case{"cesium_man.glb", 1, 8, 8},
+                                         Case{"fox_khronos.glb", 3, 8, 18},
+                                         Case{"fox_m2m.glb", 14, 3, 42}, Case{"human.glb", 4, 2, 8},
+                                         Case{"human_8inf.glb", 2, 2, 4},
+                                         Case{"morph_stress.glb", 3, 2, 0}),
+                         kStemOfModel);
 
 }  // namespace
 }  // namespace pelt::test

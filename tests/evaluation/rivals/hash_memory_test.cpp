@@ -3,7 +3,7 @@
 
 #include "evaluation/rivals/posed_bodies.hpp"
 #include "evaluation/rivals/posed_mesh_method.hpp"
-#include "support/largest_allocation.hpp"
+#include "support/allocation_count.hpp"
 
 #include <gtest/gtest.h>
 

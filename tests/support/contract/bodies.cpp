@@ -1,4 +1,4 @@
-#include "support/contract/bodies.hpp"
+#include "support/contract/stage.hpp"
 
 #include "self/surface_shapes.hpp"
 #include "support/dual_bodies.hpp"

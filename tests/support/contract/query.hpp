@@ -3,22 +3,134 @@
 /// The contract of a query, and the rows of the table of all queries. Add a query by adding its row
 /// to one of the *_queries.cpp files: how to ask it, and its answer by brute force. The properties
 /// that all queries have are asserted once, for each row, by tests/query/query_contract_test.cpp,
-/// and by tests/memory/query_contract_memory_test.cpp.
+/// and by tests/memory/query_memory_test.cpp.
 
-#include "support/contract/numbers.hpp"
 #include "support/contract/stage.hpp"
 
+#include <pelt/crowd.hpp>
+#include <pelt/pelt.hpp>
 #include <pelt/query.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace pelt::contract {
+
+/// The bits of each number as a double, so that NaN equals NaN, and -0.0 differs from 0.0.
+using Numbers = std::vector<std::uint64_t>;
+
+template <typename Number>
+requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>) void put(Numbers& numbers,
+                                                                          const Number& number) {
+  numbers.push_back(std::bit_cast<std::uint64_t>(static_cast<double>(number)));
+}
+
+inline void put(Numbers& n, const Vec3& v) { put(n, v.x), put(n, v.y), put(n, v.z); }
+inline void put(Numbers& n, const Box& box) { put(n, box.low), put(n, box.high); }
+inline void put(Numbers& n, const Contact& c) { put(n, c.triangle_a), put(n, c.triangle_b); }
+
+inline void put(Numbers& n, const Feature& f) { put(n, f.kind), put(n, f.number); }
+inline void put(Numbers& n, const MovingContact& c) {
+  put(n, c.contact), put(n, c.time), put(n, c.at_start), put(n, c.a), put(n, c.b);
+}
+inline void put(Numbers& n, const RegionEntry& e) {
+  put(n, e.triangle), put(n, e.time), put(n, e.at_start);
+}
+
+inline void put(Numbers& n, const CrowdPair& p) { put(n, p.instance_a), put(n, p.instance_b); }
+inline void put(Numbers& n, const CrowdContact& c) {
+  put(n, c.instance_a), put(n, c.instance_b), put(n, c.triangle_a), put(n, c.triangle_b);
+}
+inline void put(Numbers& n, const CrowdMovingContact& c) {
+  put(n, c.instance_a), put(n, c.instance_b), put(n, c.moving);
+}
+
+inline void put(Numbers& n, const SurfacePoint& p) {
+  put(n, p.triangle), put(n, p.position);
+  for (const float weight : p.barycentrics) put(n, weight);
+}
+inline void put(Numbers& n, const ClosestPoint& c) { put(n, c.distance), put(n, c.point); }
+inline void put(Numbers& n, const Distance& d) {
+  put(n, d.distance), put(n, d.lower_bound), put(n, d.a), put(n, d.b);
+}
+inline void put(Numbers& n, const SolidDistance& d) {
+  put(n, d.distance), put(n, d.surface), put(n, d.solid);
+}
+
+inline void put(Numbers& n, const Bounds& b) {
+  put(n, b.box), put(n, b.sphere.centre), put(n, b.sphere.radius);
+}
+inline void put(Numbers& n, const RayHit& hit) {
+  put(n, hit.triangle), put(n, hit.t), put(n, hit.normal);
+  for (const float weight : hit.barycentrics) put(n, weight);
+}
+inline void put(Numbers& n, const FarthestVertex& v) {
+  put(n, v.triangle), put(n, v.corner), put(n, v.position);
+}
+inline void put(Numbers& n, const Penetration& p) {
+  put(n, p.vertex), put(n, p.depth), put(n, p.position), put(n, p.closest);
+}
+inline void put(Numbers& n, const Volume& v) { put(n, v.value), put(n, v.error); }
+
+inline void put(Numbers& n, const ContactTrace& t) {
+  put(n, t.contact), put(n, t.kind), put(n, t.from), put(n, t.to), put(n, t.normal);
+  put(n, t.depth);
+}
+inline void put(Numbers& n, const CurveStep& s) { put(n, s.trace), put(n, s.is_reversed); }
+inline void put(Numbers& n, const ContactCurve& c) {
+  put(n, c.first), put(n, c.count), put(n, c.is_closed), put(n, c.length), put(n, c.area);
+}
+inline void put(Numbers& n, const ContactPatch& p) {
+  put(n, p.first), put(n, p.count), put(n, p.length), put(n, p.depth);
+  put(n, p.joint_a), put(n, p.joint_b);
+}
+
+template <typename Item>
+void put(Numbers& n, const std::optional<Item>& item) {
+  put(n, item.has_value());
+  if (item) put(n, *item);
+}
+template <typename Item>
+void put(Numbers& n, const std::vector<Item>& items) {
+  put(n, items.size());
+  for (const Item& item : items) put(n, item);
+}
+template <typename Item, std::size_t kCount>
+void put(Numbers& n, const std::array<Item, kCount>& items) {
+  for (const Item& item : items) put(n, item);
+}
+
+inline void put(Numbers& n, const TrianglesInRegion& t) {
+  put(n, t.intersecting), put(n, t.inside);
+}
+inline void put(Numbers& n, const ContactGeometry& g) {
+  put(n, g.traces), put(n, g.steps), put(n, g.curves), put(n, g.members), put(n, g.patches);
+}
+
+template <typename Answer>
+Numbers numbers_of(const Answer& answer) {
+  Numbers numbers;
+  put(numbers, answer);
+  return numbers;
+}
+
+/// The numbers of an answer, to be printed.
+template <typename Answer>
+std::vector<double> readable(const Answer& answer) {
+  std::vector<double> numbers;
+  for (const std::uint64_t bits : numbers_of(answer))
+    numbers.push_back(std::bit_cast<double>(bits));
+  return numbers;
+}
 
 inline constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max();
 
@@ -50,8 +162,10 @@ struct Preparation {
 
 class Query {
  public:
-  Query(const char* query_name, const Traits& query_traits, Preparation query_preparation)
-      : name(query_name), traits(query_traits), preparation(std::move(query_preparation)) {}
+  Query(std::string query_name, const Traits& query_traits, Preparation query_preparation)
+      : name(std::move(query_name)),
+        traits(query_traits),
+        preparation(std::move(query_preparation)) {}
   virtual ~Query() = default;
   Query(const Query&) = delete;
   Query& operator=(const Query&) = delete;
@@ -85,8 +199,8 @@ class Query {
 /// A query that appends to a list.
 template <typename Item>
 struct ListRow {
-  const char* name;
-  std::function<QueryStats(Stage&, std::vector<Item>&, std::uint32_t limit)> ask;
+  std::string name = {};
+  std::function<QueryStats(Stage&, std::vector<Item>&, std::uint32_t limit)> ask = nullptr;
   std::function<std::vector<Item>(const Stage&)> brute_force;  ///< in ascending order
   Traits traits = {};
   /// Puts the answer of swapped bodies into the order and the sides of the others.

@@ -1,6 +1,6 @@
 /// A program of its own, because it replaces operator new.
 
-#include "support/largest_allocation.hpp"
+#include "support/allocation_count.hpp"
 #include "tools/pelt/query/distance_query.hpp"
 #include "tools/scene/walkers.hpp"
 

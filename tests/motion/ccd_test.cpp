@@ -1,17 +1,96 @@
 /// The reader of collections of queries, on small folders in the layouts of public collections.
-#include "ccd_answers.hpp"
-#include "ccd_triangles.hpp"
+
+#include "exact/gmp_integers.hpp"
+#include "motion/ccd_queries.hpp"
+#include "motion/moving_filter.hpp"
+#include "motion/moving_oracle.hpp"
 #include "motion/moving_pair.hpp"
+#include "motion/moving_polynomials.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pelt::test {
 namespace {
+
+// Queries of collections as collapsed triangles: {v, v, v} and the face, or {a, b, b} and
+// {c, d, d}.
+
+/// The number of the query's point for each corner of the two triangles.
+std::array<std::size_t, 6> points_of_corners(CcdKind kind) {
+  if (kind == CcdKind::vertex_face) return {0, 0, 0, 1, 2, 3};
+  return {0, 1, 1, 2, 3, 3};
+}
+
+/// The corners in units of which all coordinates on an axis are multiples, as large as possible.
+MovingCorners moving_corners(const CcdQuery& query) {
+  const auto points = points_of_corners(query.kind);
+  MovingCorners corners;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    mpz_class below = 1, common;
+    for (const RationalPoint& p : query.points) below = lcm(below, p[axis].get_den());
+    for (const RationalPoint& p : query.points)
+      common = gcd(common, mpz_class(p[axis].get_num() * (below / p[axis].get_den())));
+    if (common == 0) common = 1;
+    const auto coordinate = [&](std::size_t point) {
+      const mpq_class& x = query.points[point][axis];
+      return mpz_class(x.get_num() * (below / x.get_den()) / common);
+    };
+    for (std::size_t i = 0; i < 6; ++i)
+      corners[i][axis] = {coordinate(points[i]), coordinate(points[i] + 4)};
+  }
+  return corners;
+}
+
+/// The same for the library's exact test. Nullopt if coordinates have too many bits.
+std::optional<detail::MovingPoints> moving_points(const MovingCorners& corners) {
+  detail::MovingPoints result;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto& [from, to] = corners[i][axis];
+      if (std::max(bits_of(from), bits_of(to)) > detail::kCoordinateBits) return std::nullopt;
+      using Integer = decltype(detail::MovingCoordinate::from);
+      result[i][axis] = {from_gmp<Integer>(from), from_gmp<Integer>(to)};
+    }
+  return result;
+}
+
+struct CollapsedTriangles {
+  detail::MovingTriangle a, b;
+};
+
+/// Nullopt if a coordinate is not a float32, or too large for the library.
+std::optional<CollapsedTriangles> collapsed_triangles(const CcdQuery& query) {
+  const auto is_float = [](const mpq_class& x) {
+    return abs(x) < 0x1p61 && mpq_class(static_cast<float>(x.get_d())) == x;
+  };
+  for (const RationalPoint& p : query.points)
+    if (!std::all_of(p.begin(), p.end(), is_float)) return std::nullopt;
+  const auto position = [&](std::size_t point) {
+    const auto& [x, y, z] = query.points[point];
+    return Vec3{static_cast<float>(x.get_d()), static_cast<float>(y.get_d()),
+                static_cast<float>(z.get_d())};
+  };
+  const auto points = points_of_corners(query.kind);
+  CollapsedTriangles result;
+  for (std::size_t i = 0; i < 6; ++i) {
+    detail::MovingTriangle& triangle = i < 3 ? result.a : result.b;
+    triangle.from[i % 3] = position(points[i]);
+    triangle.to[i % 3] = position(points[i] + 4);
+  }
+  return result;
+}
 
 namespace fs = std::filesystem;
 
@@ -163,6 +242,90 @@ TEST_F(CcdQueries, AreRefusedWithoutAFileOrAKind) {
   EXPECT_EQ(problem_with(neither),
             neither.string() +
                 " is neither edge-edge nor vertex-face by the names of the file and its folders");
+}
+
+// The exact test of moving triangles, and the independent one of the tests, against queries whose
+// answers others computed symbolically: all CSV files below PELT_SHARED_DIR/ccd.
+
+namespace fs = std::filesystem;
+using detail::FirstMeeting;
+
+std::vector<fs::path> csv_files_below(const fs::path& folder) {
+  std::vector<fs::path> files;
+  constexpr auto kFollow = fs::directory_options::follow_directory_symlink;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, kFollow))
+    if (entry.is_regular_file() && entry.path().extension() == ".csv") files.push_back(entry);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Counts of queries of one kind.
+struct Tally {
+  std::size_t files = 0, asked = 0, as_floats = 0, too_large = 0, met = 0, differences = 0;
+};
+
+std::optional<FirstMeeting> meeting_by_oracle(const CcdQuery& query, const MovingCorners& corners) {
+  MovingOracle oracle(corners);
+  if (query.kind == CcdKind::vertex_face) return oracle.first_meeting_of({0, 0, 0}, {3, 4, 5});
+  return oracle.first_meeting_of({0, 1, 1}, {3, 4, 4});
+}
+
+bool have_equal_times(const std::optional<FirstMeeting>& p, const std::optional<FirstMeeting>& q) {
+  return p.has_value() == q.has_value() &&
+         (!p || (p->time == q->time && p->at_start == q->at_start));
+}
+
+/// Asks one query, by numbers of GMP, as integers if they are not too large, and as triangles of
+/// floats if its coordinates are float32.
+void ask(const CcdQuery& query, Tally& tally) {
+  const MovingCorners corners = moving_corners(query);
+  const auto expected = meeting_by_oracle(query, corners);
+  ++tally.asked;
+  tally.met += query.meets;
+  bool is_different = expected.has_value() != query.meets;
+  const auto points = moving_points(corners);
+  tally.too_large += !points;
+  const auto answer = points ? detail::first_meeting(*points) : expected;
+  is_different |= !have_equal_times(answer, expected);
+  if (const auto floats = collapsed_triangles(query)) {
+    const auto& [a, b] = *floats;
+    MovingStats work;
+    ++tally.as_floats;
+    is_different |= detail::first_meeting(a, b) != answer;
+    is_different |= detail::find_first_meeting(a, b, work) != answer;
+    is_different |= detail::intersect_while_moving(a, b, work) != answer.has_value();
+  }
+  if (!is_different) return;
+  if (++tally.differences <= 5)
+    ADD_FAILURE() << query.origin << ": expected " << query.meets << "; independent test "
+                  << expected.has_value() << ", exact test " << answer.has_value();
+}
+
+void ask_all(const fs::path& csv, std::map<CcdKind, Tally>& tallies) {
+  try {
+    const std::vector<CcdQuery> queries = read_ccd_queries(csv);
+    if (queries.empty()) throw CcdProblem(csv.string() + " has no queries");
+    ++tallies[queries.front().kind].files;
+    for (const CcdQuery& query : queries) ask(query, tallies[query.kind]);
+  } catch (const CcdProblem& problem) {
+    ADD_FAILURE() << problem.what();
+  }
+}
+
+TEST(CcdTruth, AllQueriesBelowTheSharedFolder) {
+  const fs::path folder = fs::path(PELT_SHARED_DIR) / "ccd";
+  if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  std::map<CcdKind, Tally> tallies;
+  const std::vector<fs::path> files = csv_files_below(folder);
+  ASSERT_FALSE(files.empty()) << "no CSV file below " << folder;
+  for (const fs::path& csv : files) ask_all(csv, tallies);
+  for (const auto& [kind, tally] : tallies) {
+    std::cout << (kind == CcdKind::edge_edge ? "edge-edge" : "vertex-face") << ": " << tally.asked
+              << " queries of " << tally.files << " files, " << tally.met << " of them meet, "
+              << tally.as_floats << " also asked as floats, " << tally.too_large
+              << " too large for the exact test, " << tally.differences << " differences\n";
+    EXPECT_EQ(tally.differences, 0u);
+  }
 }
 
 }  // namespace
