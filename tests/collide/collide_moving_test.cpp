@@ -78,27 +78,6 @@ TEST(CollideMoving, FindsTheSamePairsBackwards) {
   EXPECT_GT(seen, 500u);
 }
 
-TEST(CollideMoving, HasOptionsForTimesAndForContactsAtTheStart) {
-  Random random(1807);
-  Limbs limbs;
-  std::size_t at_start = 0, later = 0;
-  for (int round = 0; round < 20; ++round) {
-    limbs.move(random, 0.3);
-    const auto all = contacts_of(limbs.a, limbs.b);
-    std::vector<MovingContact> rest;
-    for (const MovingContact& c : all)
-      if (!c.at_start) rest.push_back(c);
-    EXPECT_EQ(contacts_of(limbs.a, limbs.b, {.leave_out_start = true}), rest);
-    EXPECT_EQ(pairs_of(contacts_of(limbs.a, limbs.b, {.times = false})), pairs_of(all));
-    EXPECT_EQ(pairs_of(contacts_of(limbs.a, limbs.b, {.leave_out_start = true, .times = false})),
-              pairs_of(rest));
-    at_start += all.size() - rest.size();
-    later += rest.size();
-  }
-  EXPECT_GT(at_start, 100u);
-  EXPECT_GT(later, 500u);
-}
-
 /// A thin blade that is on one side of a limb at the start, and on the other at the end.
 TEST(CollideMoving, FindsWhatNoEndOfTheStepShows) {
   Shape blade;

@@ -1,7 +1,6 @@
 #include <pelt/self.hpp>
 
 #include "body.hpp"
-#include "support/allocation_count.hpp"
 #include "support/pinned_shapes.hpp"
 #include "surface_shapes.hpp"
 
@@ -11,23 +10,6 @@
 
 namespace pelt::test {
 namespace {
-
-TEST(SelfCollide, AllTrianglesShareOneVertex) {
-  Random random(903);
-  for (const std::uint32_t size : {24u, 25u, 600u}) {
-    Shape shape;
-    shape.influences_per_vertex = 1;
-    add_fan(random, shape, size, false, {});
-    Body body(shape);
-    EXPECT_TRUE(self_contacts_of(body.pose, body.filter, body.scratch).empty());
-    Matrix4 flat;
-    flat.m[0] = 0;
-    ASSERT_TRUE(body.pose.set_palette(std::vector<Matrix4>(1, flat)));
-    const auto expected = brute_force_self(shape, body.pose);
-    EXPECT_GT(expected.size(), size * size / 8);
-    EXPECT_EQ(self_contacts_of(body.pose, body.filter, body.scratch), expected);
-  }
-}
 
 TEST(SelfCollide, ReportsClosedSurfacesAndModelsOfOneTriangleAsApart) {
   for (const auto& [vertex_count, triangles] :
@@ -111,49 +93,6 @@ TEST(SelfCollide, CountsItsWork) {
     EXPECT_EQ(work_of(warm), work_of(cold));
     EXPECT_EQ(warm.posed_vertices, 0u);
   });
-}
-
-/// Returns the number of allocations of the first queries of reserved memory.
-std::size_t allocations_when_reserved(const Shape& shape, const std::vector<Matrix4>& palette,
-                                      std::uint32_t limit, std::uint32_t rings) {
-  Body body(shape, {.rings = rings});
-  std::vector<Contact> contacts;
-  const std::size_t room = std::min<std::size_t>(limit, 1 << 20);
-  contacts.reserve(room);
-  body.pose.reserve();
-  body.scratch.reserve(room, 0, body.filter.scratch_size());
-  const std::size_t before = allocation_count();
-  EXPECT_TRUE(body.pose.set_palette(palette));
-  self_collide(body.pose, body.filter, body.scratch, contacts, {.max_contacts = limit});
-  EXPECT_TRUE(self_intersects(body.pose, body.filter, body.scratch) || contacts.empty());
-  return allocation_count() - before;
-}
-
-TEST(SelfCollide, AllocatesNothingWhenReserved) {
-  Random random(910);
-  Shape disc;
-  disc.influences_per_vertex = 1;
-  add_fan(random, disc, 600, true, {});
-  disc.triangles.push_back({0, 0, 0});
-  Matrix4 flat;
-  flat.m[0] = 0;
-  for (const std::uint32_t limit : {1u, 20u, UINT32_MAX})
-    for (const std::uint32_t rings : {0u, 1u, 3u, 64u}) {
-      SCOPED_TRACE(testing::Message() << "limit " << limit << ", rings " << rings);
-      EXPECT_EQ(allocations_when_reserved(make_limb(40, 9, 6), bend_limb(random, 6, 1.5, {}), limit,
-                                          rings),
-                0u);
-      EXPECT_EQ(
-          allocations_when_reserved(make_grid_soup(random, 200, 4, 6),
-                                    make_palette(random, 6, Motion::rigid, 0.5), limit, rings),
-          0u);
-      if (rings < 2 && limit < UINT32_MAX) {
-        EXPECT_EQ(allocations_when_reserved(disc, {flat}, limit, rings), 0u);
-      }
-    }
-  EXPECT_EQ(allocations_when_reserved(make_pinned(3, {{0, 0, 0}, {0, 1, 2}, {1, 2, 2}}),
-                                      pin(std::vector<Vec3>(3)), 20, 3),
-            0u);
 }
 
 TEST(SelfCollide, RefusesTheFilterOfAnotherModel) {

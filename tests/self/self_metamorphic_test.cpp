@@ -210,30 +210,6 @@ TEST(SelfMetamorphic, ExactTranslationsDoNotMatter) {
   EXPECT_GT(contacts, 10'000u);
 }
 
-TEST(SelfMetamorphic, MorphTargetsAreAppliedFirst) {
-  on_each_instruction_set([](InstructionSet) {
-    Random random(1754);
-    std::size_t contacts = 0, morphed = 0;
-    for (const Morphing morphing : kAllMorphings)
-      for (int round = 0; round < 4; ++round) {
-        Shape shape =
-            round < 2 ? make_limb(20, 8, 4) : make_soup(random, 120, 4, 4, Weights::random);
-        add_morph_targets(random, shape, 5, 0.4, 0.1);
-        Pose pose(*build_model(shape.view()));
-        ASSERT_TRUE(pose.set_palette(make_palette(random, 4, Motion::rigid, 0.1)));
-        const Contacts before = brute_force_self(shape, pose);
-        ASSERT_TRUE(pose.set_morph_weights(make_morph_weights(random, 5, morphing)));
-        const Contacts expected = brute_force_self(shape, pose);
-        Scratch scratch;
-        EXPECT_EQ(self_contacts_of(pose, *build_self_filter(pose.model()), scratch), expected);
-        contacts += expected.size();
-        morphed += expected != before;
-      }
-    EXPECT_GT(contacts, 1000u);
-    EXPECT_GT(morphed, 10u);
-  });
-}
-
 /// Two triangles that share an edge. Each has vertices of its own there, which follow other joints.
 Shape two_triangles_with_a_crack() {
   Shape shape;

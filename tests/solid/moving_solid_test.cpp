@@ -31,10 +31,6 @@ std::vector<std::uint32_t> triangles_at(Pose& pose, const Region& region) {
   return triangles;
 }
 
-bool contains(const std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& some) {
-  return std::includes(all.begin(), all.end(), some.begin(), some.end());
-}
-
 /// A bending limb that moves near a region, into it or through it.
 struct Walk {
   explicit Walk(Random& random) : regions(random) {
@@ -53,39 +49,6 @@ struct Walk {
   std::vector<Matrix4> first, last;
   Region region;
 };
-
-TEST(MovingSolid, HasTheOptionsOfTwoMotions) {
-  Random random(1872);
-  std::size_t all_count = 0;
-  int touching = 0, apart = 0;
-  for (int round = 0; round < 100; ++round) {
-    Walk walk(random);
-    const auto all = entries_of(walk.limb, walk.region);
-    std::vector<RegionEntry> rest, untimed;
-    for (const RegionEntry& entry : all) {
-      if (!entry.at_start) rest.push_back(entry);
-      untimed.push_back({entry.triangle, 0, false});
-    }
-    EXPECT_EQ(entries_of(walk.limb, walk.region, {.leave_out_start = true}), rest);
-    EXPECT_EQ(entries_of(walk.limb, walk.region, {.times = false}), untimed);
-    EXPECT_EQ(
-        triangles_of(entries_of(walk.limb, walk.region, {.leave_out_start = true, .times = false})),
-        triangles_of(rest));
-    Scratch scratch;
-    std::vector<RegionEntry> some;
-    const MovingStats stats =
-        collide(walk.limb.step(), walk.region, scratch, some, {.max_contacts = 7});
-    EXPECT_EQ(some.size(), std::min<std::size_t>(all.size(), 7));
-    EXPECT_EQ(stats.cut_short || all.size() == 7, all.size() >= 7);
-    EXPECT_TRUE(contains(triangles_of(all), triangles_of(some)));
-    EXPECT_EQ(intersects(walk.limb.step(), walk.region, scratch).answer, !all.empty());
-    all_count += all.size();
-    ++(all.empty() ? apart : touching);
-  }
-  EXPECT_GT(all_count, 2000u);
-  EXPECT_GT(touching, 30);
-  EXPECT_GT(apart, 5);
-}
 
 TEST(MovingSolid, HasTheSameTrianglesBackwards) {
   Random random(1873);

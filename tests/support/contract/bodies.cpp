@@ -260,11 +260,28 @@ Body with_offsets(Random& random, const Vec3& at, std::uint32_t size) {
 /// Triangles between few points: neighbours of every kind, cracked or not.
 Body cracked_soup(Random& random, const Vec3&, std::uint32_t size) {
   const std::uint32_t joints = 1 + random.index(2);
-  Shape shape = test::make_grid_soup(random, 14 * size, 3, joints);
+  Shape shape = test::make_grid_soup(random, 30 * size, 3, joints);
   SkinnedModel model = *build_model(shape.view());
   Matrices first = test::make_palette(random, joints, Motion::affine, 1);
   Matrices last = test::make_palette(random, joints, Motion::affine, 1);
   return {std::move(shape), std::move(model), posed_by(first), posed_by(last)};
+}
+
+/// Triangles around one vertex, more than a certificate of fans supports, or as many; half of the
+/// poses are flat.
+Body fan(Random& random, const Vec3& at, std::uint32_t size) {
+  Shape shape;
+  shape.influences_per_vertex = 1;
+  const std::uint32_t count = random.chance(0.3) ? 24 + random.index(2) : 60 * size;
+  test::add_fan(random, shape, count, random.chance(0.5), {});
+  SkinnedModel model = *build_model(shape.view());
+  const auto place = [&](const Vec3& centre) {
+    Matrix4 joint = test::rotation_about(random.point(1), random.uniform(0, 6), {}, centre);
+    if (random.chance(0.5)) joint.m[0] = joint.m[4] = joint.m[8] = 0;
+    return posed_by({joint});
+  };
+  PoseInput first = place(near(random, at, 0.2)), last = place(at);
+  return {std::move(shape), std::move(model), std::move(first), std::move(last)};
 }
 
 /// Closed surfaces with vertices anywhere on a small grid: folds by a half turn, duplicates,
@@ -289,7 +306,6 @@ Body crumpled(Random& random, const Vec3&, std::uint32_t) {
 }
 
 /// A limb whose corners are split into vertices with equal influences.
-
 Shape make_split_limb(Random& random, std::uint32_t size) {
   Shape shape = test::make_limb(4 * size, 6, 2);
   test::split_corners(random, shape, 0.1, 0);
@@ -373,6 +389,7 @@ std::span<const Kind> kinds() {
       {"on a tiny grid", tiny_grid, true},
       {"on a huge grid", huge_grid, true},
       {"cracked soups", cracked_soup, true},
+      {"fans", fan},
       {"crumpled on a grid", crumpled, true},
       {"morphing limbs", morphing_limb},
       {"morphing soups", morphing_soup},

@@ -97,6 +97,43 @@ std::vector<RegionEntry> entries_of_all_triangles(const Stage& stage) {
   return test::brute_force_moving(stage.region, moving_triangles_of(stage.a));
 }
 
+/// A query of motions that appends to a list, with any options.
+template <typename Item>
+using AskWithOptions = std::function<MovingStats(Stage&, std::vector<Item>&, const MovingOptions&)>;
+
+std::uint32_t triangles_of(const RegionEntry& entry) { return entry.triangle; }
+Contact triangles_of(const MovingContact& contact) { return contact.contact; }
+
+/// Adds the query, and the same with each option.
+template <typename Item>
+void add_with_options(Queries& queries, const AskWithOptions<Item>& ask, ListRow<Item> row) {
+  row.traits.is_costly = row.traits.is_limited = true;
+  for (const bool leaves_out_start : {false, true})
+    for (const bool has_times : {true, false}) {
+      ListRow<Item> with = row;
+      with.ask = [=](Stage& s, std::vector<Item>& items, std::uint32_t limit) {
+        return counted(ask(s, items, {leaves_out_start, has_times, limit}));
+      };
+      if (leaves_out_start || !has_times) with.traits.of_two_bodies = false;
+      if (leaves_out_start) {
+        with.name += "Later";
+        with.brute_force = [all = row.brute_force](const Stage& stage) {
+          std::vector<Item> items = all(stage);
+          std::erase_if(items, [](const Item& item) { return item.at_start; });
+          return items;
+        };
+      }
+      if (!has_times) {
+        with.name += "WithoutTimes";
+        with.is_right = [](const Stage&, const Item& found, const Item& expected) {
+          return triangles_of(found) == triangles_of(expected) && found.time == 0 &&
+                 !found.at_start;
+        };
+      }
+      add(queries, std::move(with));
+    }
+}
+
 }  // namespace
 
 void add_moving_queries(Queries& queries) {
@@ -104,17 +141,16 @@ void add_moving_queries(Queries& queries) {
   const auto expect_right = [](const Stage& s, const First& first) {
     expect_first(moving_contacts_of_all_pairs(s), first);
   };
-  add(queries, ListRow<MovingContact>{
-                   .name = "CollideMoving",
-                   .ask =
-                       [](Stage& s, MovingContacts& contacts, std::uint32_t limit) {
-                         return counted(collide(s.a.motion(), s.b.motion(), s.scratch, contacts,
-                                                {.max_contacts = limit}));
-                       },
-                   .brute_force = moving_contacts_of_all_pairs,
-                   .traits = {.is_costly = true, .is_limited = true, .of_two_bodies = true},
-                   .swap = swap_moving_contacts,
-                   .forget_order = forget_features});
+  add_with_options<MovingContact>(
+      queries,
+      [](Stage& s, MovingContacts& contacts, const MovingOptions& options) {
+        return collide(s.a.motion(), s.b.motion(), s.scratch, contacts, options);
+      },
+      {.name = "CollideMoving",
+       .brute_force = moving_contacts_of_all_pairs,
+       .traits = {.of_two_bodies = true},
+       .swap = swap_moving_contacts,
+       .forget_order = forget_features});
   add(queries,
       ListRow<MovingContact>{.name = "CollideMovingWithOneAtRest",
                              .ask =
@@ -144,44 +180,35 @@ void add_moving_queries(Queries& queries) {
                                .is_hit = is_found,
                                .traits = {.is_costly = true, .reserves_when_asked = true},
                                .preparation = {.make = make_first_contact_search}});
-  add(queries,
-      ListRow<MovingContact>{.name = "SelfCollideMoving",
-                             .ask =
-                                 [](Stage& s, MovingContacts& contacts, std::uint32_t limit) {
-                                   return counted(self_collide(s.a.motion(), s.filter, s.scratch,
-                                                               contacts, {.max_contacts = limit}));
-                                 },
-                             .brute_force = self_moving_contacts_of_all_pairs,
-                             .traits = {.is_costly = true, .is_limited = true}});
+  add_with_options<MovingContact>(
+      queries,
+      [](Stage& s, MovingContacts& contacts, const MovingOptions& options) {
+        return self_collide(s.a.motion(), s.filter, s.scratch, contacts, options);
+      },
+      {.name = "SelfCollideMoving", .brute_force = self_moving_contacts_of_all_pairs});
   add(queries,
       YesNoRow{.name = "SelfTouchesWhileMoving",
                .ask = [](Stage& s) { return self_intersects(s.a.motion(), s.filter, s.scratch); },
                .brute_force =
                    [](const Stage& s) { return !self_moving_contacts_of_all_pairs(s).empty(); },
                .traits = {.is_costly = true}});
-  add(queries,
-      ListRow<MovingContact>{.name = "CollideMovingWithField",
-                             .ask =
-                                 [](Stage& s, MovingContacts& contacts, std::uint32_t limit) {
-                                   return counted(collide(s.a.motion(), s.field, s.scratch,
-                                                          contacts, {.max_contacts = limit}));
-                                 },
-                             .brute_force = moving_contacts_with_field,
-                             .traits = {.is_costly = true, .is_limited = true}});
+  add_with_options<MovingContact>(
+      queries,
+      [](Stage& s, MovingContacts& contacts, const MovingOptions& options) {
+        return collide(s.a.motion(), s.field, s.scratch, contacts, options);
+      },
+      {.name = "CollideMovingWithField", .brute_force = moving_contacts_with_field});
   add(queries,
       YesNoRow{
           .name = "TouchFieldWhileMoving",
           .ask = [](Stage& s) { return intersects(s.a.motion(), s.field, s.scratch); },
           .brute_force = [](const Stage& s) { return !moving_contacts_with_field(s).empty(); }});
-  add(queries, ListRow<RegionEntry>{
-                   .name = "CollideMovingWithRegion",
-                   .ask =
-                       [](Stage& s, std::vector<RegionEntry>& entries, std::uint32_t limit) {
-                         return counted(collide(s.a.motion(), s.region, s.scratch, entries,
-                                                {.max_contacts = limit}));
-                       },
-                   .brute_force = entries_of_all_triangles,
-                   .traits = {.is_costly = true, .is_limited = true}});
+  add_with_options<RegionEntry>(
+      queries,
+      [](Stage& s, std::vector<RegionEntry>& entries, const MovingOptions& options) {
+        return collide(s.a.motion(), s.region, s.scratch, entries, options);
+      },
+      {.name = "CollideMovingWithRegion", .brute_force = entries_of_all_triangles});
   add(queries,
       YesNoRow{.name = "TouchRegionWhileMoving",
                .ask = [](Stage& s) { return intersects(s.a.motion(), s.region, s.scratch); },

@@ -51,7 +51,9 @@ SelfFilter filter_of(Random& random, const Body& body) {
   std::vector<std::uint8_t> takes_part;
   for (std::size_t t = 0; t < body.shape.triangles.size(); ++t)
     takes_part.push_back(random.chance(0.8));
-  return *build_self_filter(body.to.model(), {.rings = random.index(2), .takes_part = takes_part});
+  constexpr std::uint32_t kRings[] = {0, 1, 3, 64};
+  return *build_self_filter(body.to.model(),
+                            {.rings = kRings[random.index(4)], .takes_part = takes_part});
 }
 
 }  // namespace
@@ -65,7 +67,10 @@ Stage::Stage(Random& random, const Kind& kind, double distance, std::uint32_t si
       field(test::make_plain(2, 2, {}, 1).build()) {
   const std::vector<Vec3> positions = positions_of(a.to);
   size = half_size(positions, centre);
-  tolerance = double{size} * random.uniform(0.01, 0.1);
+  Vec3 centre_b;
+  const float size_b = half_size(positions_of(b.to), centre_b);
+  // Beside rounding errors of the larger body, less would be as good as zero.
+  tolerance = double{std::max(size, size_b)} * random.uniform(0.01, 0.1);
   const test::RayCases cases(a.shape.triangles, positions);
   for (int i = 0; i < 12; ++i) {
     rays.push_back(cases.next(random));
