@@ -87,10 +87,10 @@ double longest_side(const detail::Float4& a, const detail::Float4& b) {
 
 /// The breadth-first descent of two bodies under one palette each.
 struct PaperSearch {
-  PaperSearch(methods::BodySet<Traits>& bodies, std::uint32_t first, std::uint32_t second,
+  PaperSearch(methods::BodyMethod<Traits>& bodies, std::uint32_t first, std::uint32_t second,
               paper::Scratch& scratch, std::vector<Contact>& contacts)
-      : body_a(bodies[first]),
-        body_b(bodies[second]),
+      : body_a(bodies.body(first)),
+        body_b(bodies.body(second)),
         side_a(body_a, bodies.palette(first)),
         side_b(body_b, bodies.palette(second)),
         refits(body_a.refits() + body_b.refits()),
@@ -128,8 +128,8 @@ class AnytimePaper final : public AnytimeMethod {
   }
 
   void restart() override {
-    bodies_[a_].invalidate();
-    bodies_[b_].invalidate();
+    bodies_.body(a_).invalidate();
+    bodies_.body(b_).invalidate();
     contacts_.clear();
     longest_step_ = 0;
     search_.emplace(bodies_, a_, b_, scratch_, contacts_);
@@ -164,7 +164,7 @@ class AnytimePaper final : public AnytimeMethod {
   std::span<const Contact> contacts() const override { return contacts_; }
 
  private:
-  methods::BodySet<Traits> bodies_;
+  methods::BodyMethod<Traits> bodies_;
   paper::Scratch scratch_;
   std::vector<Contact> contacts_;
   std::uint32_t a_ = 0, b_ = 0;

@@ -66,6 +66,9 @@ class BodyMethod final : public Method {
 
   QueryStats update_work() const override { return update_work_; }
 
+  typename Traits::Body& body(std::uint32_t body) { return *bodies_[body]; }
+  const detail::Palette& palette(std::uint32_t body) const { return palettes_[body]; }
+
  private:
   struct PreparedModel {
     explicit PreparedModel(const SkinnedModel& m)
