@@ -2,6 +2,7 @@
 
 #include <pelt/self.hpp>
 
+#include "base/assert.hpp"
 #include "motion/moving_tree.hpp"
 #include "pose/pose.hpp"
 #include "query/answers.hpp"
