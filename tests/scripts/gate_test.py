@@ -69,6 +69,7 @@ class Gate(unittest.TestCase):
         self.assertEqual(status, 0, printed)
         self.assertEqual(self.presets_of("ctest --preset", ran), ["release"])
         self.assertIn("[1/1] release: testing", printed)
+        self.assertIn("--label-exclude gate", next(line for line in ran if line.startswith("ctest")))
         self.assertIn("scripts/test: 1 passed, 0 failed, 0 skipped", printed)
 
     def test_tests_are_never_left_out(self):
@@ -76,6 +77,7 @@ class Gate(unittest.TestCase):
         configured = [line for line in ran if line.startswith("cmake --preset")]
         self.assertEqual(len(configured), 8)
         self.assertTrue(all("-DPELT_BUILD_TESTS=ON" in line for line in configured), configured)
+        self.assertNotIn("--label-exclude", " ".join(ran))
 
     def test_peers_are_installed_on_request(self):
         self.assertIn("install-deps peers", self.run_script("peers")[2])
