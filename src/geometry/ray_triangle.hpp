@@ -27,7 +27,8 @@ struct RayCrossing {
 bool line_meets_triangle(const RayLine& line, const TriangleCorners& triangle,
                          RayCrossing& crossing);
 
-/// The same for a line that is known to meet the triangle away from its edges.
+/// Fills `crossing` for a line that is known to meet the triangle away from its edges. Returns
+/// false if t exceeds the range of float.
 bool line_pierces_triangle(const RayLine& line, const TriangleCorners& triangle, bool from_front,
                            RayCrossing& crossing);
 

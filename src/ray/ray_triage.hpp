@@ -18,8 +18,8 @@
 namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 
-// Eight boxes at once: a box is entered if any point of the
-// ray within the box of all vertices might be inside it.
+// Eight boxes at once: a box is entered if any point of the ray within the box of all vertices
+// might be inside it.
 //
 // The direction is divided by a power of two so that its largest component is at least 1 and below
 // 2; here, t is the ray's t times this power. On an axis with direction d > 0, the box spans t

@@ -139,7 +139,8 @@ void keep_slack(const FanBatch& batch, const FlatFans& flat, float* slack) {
     slack[batch.numbers[i]] = flat.certified >> i & 1 ? lanes[i] : 0;
 }
 
-/// Finds the pairs of a run of fans that can be certified. Returns false if the sink is full.
+/// Finds the contacts of those fans of a run that can be certified flat. Returns false if the sink
+/// is full.
 bool test_flat(const Fans& fans, const FanRun& run, Positions positions, float* slack,
                FanPairs& pairs, const FilteredSink<Contact>& sink) {
   for (std::uint32_t fan = run.first_fan; fan < run.end;) {

@@ -115,9 +115,10 @@ static bool surface_corners_intersect(const SurfaceCornersOf<Point>& a,
 }
 
 /// Whether all own corners are strictly on one side of the other triangle's plane. Decides most
-/// pairs of neighbours: no rule of the table then holds. A triangle with a plane has not collapsed,
-/// and the first triangle meets the plane only in the hull of the shared corners. No own corner or
-/// opposite edge of the other triangle reaches this hull: a shared corner or the shared edge.
+/// pairs of neighbours: no rule of the table in neighbours.hpp then holds. A triangle with a plane
+/// has not collapsed, and the first triangle meets the plane only in the hull of the shared
+/// corners. No own corner or opposite edge of the other triangle reaches this hull: a shared corner
+/// or the shared edge.
 static bool is_aside(const DistinctCorners<Vec3>& part, const TriangleCorners& other) {
   if (part.own_count == 0) return false;
   const OrientedPlane plane(other[0], other[1], other[2]);

@@ -270,7 +270,8 @@ const char* find_given(std::string_view name, const CheckOptions& options) {
   return find_given(options, [name](const char* other, Kind) { return name == other; });
 }
 
-/// Calls `visit` with the key and the value of each option that the answers of frames depend on.
+/// Calls `visit` with the key and the value of each option that the answers of frames or the
+/// verdict depend on.
 template <typename Options, typename Visit>
 void visit_answer_options(Options& of, const Visit& visit) {
   const auto visit_rows = [&](auto has_kind) {

@@ -55,12 +55,6 @@ std::optional<AlwaysTally> make_always_tally(const Stage& stage) {
   return AlwaysTally(stage.staged, stage.frames.size(), kSuggestedShare);
 }
 
-/// Number of pairs of colliders that each frame compares; a collider and itself are a pair.
-std::uint64_t bodies_compared(std::uint64_t colliders, const SelfChoice& self) {
-  const std::uint64_t pairs = colliders < 2 ? 0 : colliders * (colliders - 1) / 2;
-  return (self.asks_pairs() ? pairs : 0) + (self.asks_self() ? colliders : 0);
-}
-
 }  // namespace
 
 CheckRecord::CheckRecord(const Stage& stage, TouchTally& tally, JsonlWriter& jsonl)
@@ -144,10 +138,7 @@ void CheckRecord::judge_findings() {
   if (report_.inside) found.held = report_.inside->held;
   if (report_.totals.between) found.between = report_.totals.between->touches;
   found.frames_unknown = report_.totals.unknown.frames.size();
-  const CheckBaseline* const baseline = settings_.baseline ? &*settings_.baseline : nullptr;
-  report_.verdict = judge(stage_.staged, found,
-                          {settings_.fail_on, settings_.options.allow_empty, baseline,
-                           bodies_compared(stage_.staged.colliders.size(), settings_.self)});
+  report_.verdict = judge(stage_.staged, found, settings_);
   jsonl_.totals(report_.totals, found, report_.verdict);
 }
 

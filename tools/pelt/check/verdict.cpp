@@ -1,6 +1,7 @@
 #include "tools/pelt/check/verdict.hpp"
 
 #include "scenes/names.hpp"
+#include "tools/pelt/check/settings.hpp"
 #include "tools/pelt/scene/json_lines.hpp"
 
 #include <nlohmann/json.hpp>
@@ -122,6 +123,12 @@ void compare_held(const scene::StagedScene& staged, std::span<const Held> held,
   }
 }
 
+/// Number of pairs of colliders that each frame compares; a collider and itself are a pair.
+std::uint64_t bodies_compared(std::uint64_t colliders, const SelfChoice& self) {
+  const std::uint64_t pairs = colliders < 2 ? 0 : colliders * (colliders - 1) / 2;
+  return (self.asks_pairs() ? pairs : 0) + (self.asks_self() ? colliders : 0);
+}
+
 }  // namespace
 
 std::optional<FailOn> find_fail_on(std::string_view name) {
@@ -145,13 +152,14 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
   return comparison;
 }
 
-Verdict judge(const scene::StagedScene& staged, const Findings& found, const Demand& demand) {
+Verdict judge(const scene::StagedScene& staged, const Findings& found,
+              const CheckSettings& settings) {
   Verdict verdict;
-  verdict.fail_on = demand.fail_on;
-  verdict.pairs_compared = demand.pairs_compared;
-  if (demand.baseline != nullptr) verdict.comparison = compare(staged, found, *demand.baseline);
-  const bool may_pass = verdict.pairs_compared > 0 || demand.allows_empty;
-  verdict.is_failed = !may_pass || fails(demand.fail_on, found, verdict.comparison);
+  verdict.fail_on = settings.fail_on;
+  verdict.pairs_compared = bodies_compared(staged.colliders.size(), settings.self);
+  if (settings.baseline) verdict.comparison = compare(staged, found, *settings.baseline);
+  const bool may_pass = verdict.pairs_compared > 0 || settings.options.allow_empty;
+  verdict.is_failed = !may_pass || fails(settings.fail_on, found, verdict.comparison);
   return verdict;
 }
 

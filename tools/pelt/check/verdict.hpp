@@ -13,6 +13,8 @@
 
 namespace pelt::tools::check {
 
+struct CheckSettings;
+
 enum class FailOn {
   contact,  ///< any contact, in frames or between them, and any contained body
   between,  ///< any contact between frames
@@ -69,18 +71,12 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
 struct Verdict {
   FailOn fail_on = FailOn::contact;
   bool is_failed = false;
-  std::uint64_t pairs_compared = 0;      ///< see Demand; 0: nothing was checked
+  /// Pairs of colliders, or of one with itself, in each frame. 0: nothing was checked.
+  std::uint64_t pairs_compared = 0;
   std::optional<Comparison> comparison;  ///< with a baseline
 };
 
-/// Criteria of a verdict.
-struct Demand {
-  FailOn fail_on = FailOn::contact;
-  bool allows_empty = false;                ///< otherwise comparing nothing fails
-  const CheckBaseline* baseline = nullptr;  ///< not null if `fail_on` needs a baseline
-  std::uint64_t pairs_compared = 0;         ///< of colliders, or of one with itself, in each frame
-};
-
-Verdict judge(const scene::StagedScene& staged, const Findings& found, const Demand& demand);
+Verdict judge(const scene::StagedScene& staged, const Findings& found,
+              const CheckSettings& settings);
 
 }  // namespace pelt::tools::check
