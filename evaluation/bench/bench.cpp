@@ -1,5 +1,6 @@
-/// `pelt-lab bench`: as `pelt bench`, with more methods; also with cold caches, in the steps
-/// between frames, and of searches that are stopped; and the comparison with an earlier run.
+/// `pelt-lab bench` adds to `pelt bench` more methods, cold caches, the steps between frames
+/// (--moving), searches that are stopped (--anytime), and the comparison with an earlier run
+/// (--against).
 
 #include "evaluation/bench/bench.hpp"
 

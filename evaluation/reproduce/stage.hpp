@@ -1,7 +1,8 @@
 #pragma once
 
 /// The stage of the report's pictures for POV-Ray: soft light, the white of the page as background,
-/// and colours that colour-blind people can distinguish. Positions as a camera sees them.
+/// and colours that colour-blind people can distinguish. `View` has positions as a camera sees
+/// them.
 
 #include "evaluation/reproduce/report.hpp"
 #include "tools/pelt/picture/still.hpp"

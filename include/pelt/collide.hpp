@@ -22,7 +22,7 @@ namespace pelt {
 ///
 /// Cost: grows with the contact area and not with the size of the meshes. The trees of both poses
 /// are descended together. Vertices are posed, and boxes are computed, only where boxes overlap.
-/// Each node is opened at most once until the palette or the morph weights change. Poses that are
+/// Each node is opened at most once until the pose changes (see `Pose`). Poses that are
 /// far apart cost O(J), plus at most O(J) for each morph weight other than 0.
 ///
 /// `limits`: with `max_contacts` 0, the query finds no contact, and `QueryStats::cut_short` says

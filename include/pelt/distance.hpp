@@ -83,10 +83,9 @@ struct Distance {
   /// are then meaningless.
   double distance = std::numeric_limits<double>::infinity();
 
-  /// Proven lower bound of the least distance. If the query was not cut short, equals `distance` if
-  /// the tolerance is 0, and `max_distance` if nothing is within `max_distance`. If
-  /// `DistanceOptions::max_work` cut the query short, the least distance is between `lower_bound`
-  /// and `distance`.
+  /// Proven lower bound of the least distance: `distance` minus the tolerance, and at least 0; or
+  /// `max_distance` if nothing is within it. If `DistanceOptions::max_work` cut the query short, it
+  /// may be less.
   double lower_bound = 0;
 
   SurfacePoint a, b;

@@ -20,8 +20,8 @@ struct Model;
 class Surface;
 
 /// Policy for vertices whose sum of weights differs from 1 by more than 2^-7. A difference of at
-/// most 2^-7 counts as rounding by the exporter. With either policy, `build_model` removes such a
-/// difference: it divides the weights by their sum.
+/// most 2^-7 counts as rounding by the exporter. With either policy, `build_model` divides
+/// such weights by their sum.
 enum class OffWeights {
   refuse,       ///< `build_model` returns an error that names the vertex and the sum
   renormalise,  ///< `build_model` divides the weights by their sum, as renderers do
@@ -36,8 +36,8 @@ enum class Skinning : std::uint8_t {
 
   /// A posed vertex is moved by the weighted sum of the joints' dual quaternions (Kavan, Collins,
   /// Zara & O'Sullivan 2007). Skin does not collapse, because every vertex is moved rigidly. Joints
-  /// must be rigid. A joint's quaternion is negated if it points away from that of the joint with
-  /// the largest weight of the vertex; of equal weights, that of the lowest joint.
+  /// must be rigid. The pivot of a vertex is the joint with its largest weight, the lowest one of
+  /// equal weights. A quaternion whose product with that of the pivot is negative is negated.
   dual_quaternion,
 };
 

@@ -112,16 +112,17 @@ PELT_API MovingStats collide(const Motion& a, const Motion& b, Scratch& scratch,
 /// `collide`, but stops at the first contact that it finds.
 PELT_API YesNo intersects(const Motion& a, const Motion& b, Scratch& scratch);
 
-/// Sets `first` to the pair of triangles with the least exact first time; of pairs with exactly the
-/// same time, to the lowest. If nothing intersects, `first` is empty. The pair is one of those that
-/// `collide` finds, with the same time and features.
+/// Sets `first` to the pair of triangles that intersects first. Of pairs with exactly the same
+/// first time, it is the lowest. If nothing intersects, `first` is empty. The pair is one of those
+/// that `collide` finds, with the same time and features.
 ///
-/// Of `options`, only `leave_out_start` applies. Preconditions and allocation: those of `collide`.
+/// Of `options`, the query uses only `leave_out_start`. Preconditions and allocation: those of
+/// `collide`.
 ///
-/// Cost: first searches for the lowest pair that intersects at time 0. This skips parts of the tree
-/// of `a` whose triangles all have higher numbers than the lowest pair found so far. If there is no
-/// such pair, searches the step. This skips parts of the trees whose boxes first overlap after the
-/// earliest time found so far.
+/// Cost: without `leave_out_start`, first searches for the lowest pair that intersects at time 0.
+/// This skips parts of the tree of `a` whose triangles all have higher numbers than the lowest pair
+/// found so far. If no pair intersects at time 0, searches the step. This skips parts of the trees
+/// whose boxes first overlap after the earliest time found so far.
 PELT_API MovingStats first_contact(const Motion& a, const Motion& b, Scratch& scratch,
                                    std::optional<MovingContact>& first,
                                    const MovingOptions& options = {});

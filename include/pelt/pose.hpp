@@ -16,8 +16,9 @@ struct Pose;
 }
 
 /// One instance of a model: a joint palette, weights of morph targets, and the bounds that queries
-/// have computed from both so far. To update a pose, call `set_palette`, `set_morph_weights` or
-/// both, in any order. No separate refit is necessary: queries compute the bounds that they need.
+/// have computed from both so far. To change a pose, call `set_palette` or `set_dual_quaternions`,
+/// `set_morph_weights` and `set_offsets`, in any order. No separate refit is necessary: queries
+/// compute the bounds that they need.
 /// For a mesh that another program deforms, call `set_vertices` instead.
 ///
 /// A new pose has identity matrices and zero morph weights, so its posed vertices are the rest

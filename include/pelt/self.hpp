@@ -1,9 +1,9 @@
 #pragma once
 
-/// Self-collision: which triangles of one pose intersect each other, or of one character at any
-/// time of a step. Neighbouring triangles always touch in the corners that they share; this does
-/// not count as intersection. A `SelfFilter` (pelt/self_filter.hpp) selects pairs of triangles to
-/// leave out of the answer. A `SelfTracker` saves work from one frame to the next.
+/// Self-collision: which triangles of one character intersect each other, in a pose or at any time
+/// of a step. Neighbouring triangles always touch in the corners that they share; this does not
+/// count as intersection. A `SelfFilter` (pelt/self_filter.hpp) selects pairs of triangles to leave
+/// out of the answer. A `SelfTracker` saves work from one frame to the next.
 
 #include <pelt/config.hpp>
 

@@ -23,8 +23,8 @@ class OpenQueue {
 
   OpenItem& operator[](std::uint32_t place) { return items_.pool.begin()[place]; }
 
-  /// Returns the place of a new item, which the caller writes in place, because copying what was
-  /// just written stalls the processor.
+  /// Returns the place of a new item, which the caller constructs there: a copy of what was just
+  /// written stalls the processor.
   std::uint32_t make() {
     const std::uint32_t place = items_.unused;
     if (place != kNoItem) {

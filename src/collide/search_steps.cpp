@@ -1,6 +1,7 @@
 /// Steps of a collision search. Each step replaces one open item by items for parts of the same
-/// triangles, or tests the triangles of clusters. A region is cut with the boxes of the new items
-/// and prunes them, so regions shrink even where boxes computed on demand do not nest.
+/// triangles, or tests the triangles of clusters. The region of a new item is that of the
+/// old item, cut with the boxes of the new one; items with an empty region are dropped. So regions
+/// shrink even where boxes computed on demand do not nest.
 ///
 /// Items are replaced as in query/pair_descent.hpp, which says why there are three such functions.
 /// This one computes a region for each new item.

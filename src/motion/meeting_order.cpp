@@ -1,7 +1,7 @@
-/// Most pairs with equal first times share what meets: a corner that several triangles have reaches
-/// a face. The four corners that meet are then the same, so both times are roots of one
-/// determinant. If its derivative has one certain sign around the float of both times, it has only
-/// one root there, and the times are equal.
+/// Most pairs with equal first times have the same meeting corners: for example, a vertex that
+/// several triangles share reaches a face. Both times are then roots of one determinant. If its
+/// derivative has one certain sign around the float of both times, it has only one root there, and
+/// the times are equal.
 ///
 /// Rounding, with u = 2^-53. Let V be the product of the largest components of the three vectors at
 /// both ends. A component near the time has an error below 4 u, relative to its largest value, and

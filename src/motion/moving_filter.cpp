@@ -1,6 +1,6 @@
-/// Decides about a pair of moving triangles in double: about the part of the step in which the
-/// boxes of the triangles are not disjoint. The ends of this part are multiples of 2^-10, and it is
-/// halved where necessary, so that the ends of all pieces are floats.
+/// Decides about a pair of moving triangles in double. Starts with the piece of the step in which
+/// the boxes of the triangles overlap, with ends rounded to multiples of 2^-10, and halves pieces
+/// where necessary. The ends of all pieces are therefore floats.
 
 #include "motion/moving_filter.hpp"
 

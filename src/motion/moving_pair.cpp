@@ -29,8 +29,8 @@
 ///
 /// Features. At the first time t > 0, some pair of the list meets. If the interior of an edge
 /// crossed the interior of a face with a corner on either side, both would still do so shortly
-/// before t. If it lies in the plane of the face, or if the face has collapsed, an end of the
-/// common part is an end of the edge or a point of an edge of the other.
+/// before t. If the edge lies in the plane of the face, or if the face has collapsed, an end of
+/// the common part is an end of the edge or lies on an edge of the face.
 #include "motion/moving_pair.hpp"
 
 #include "motion/instants.hpp"

@@ -8,7 +8,8 @@
 ///                           of triangles, or stores them for the next test
 ///   void add_neighbours(std::uint32_t low, std::uint32_t high, std::uint32_t mask)
 ///                           the same without the pairs of mask number `mask` of PairMasks
-///   bool are_apart(std::uint32_t mask) const     whether that is known of these neighbours
+///   bool are_apart(std::uint32_t mask) const     whether the tracker has proven that the triangles
+///                           of these neighbours are apart
 ///   void test_boxes()       ends the use of the masks that were passed to `add`
 ///   void flush()            tests what is stored
 

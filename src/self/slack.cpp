@@ -1,3 +1,6 @@
+/// Updates the slack of pairs and fans at the start of a frame; self_track.hpp defines A, b, v, v'
+/// and bend.
+///
 /// Rounding. With e = 2^-24, M the largest coordinate of old and new vertices, and N that of b:
 /// bend is below 0.5, so the singular values of A are below 1.225, and its rows have sums of
 /// magnitudes below 2.13. A coordinate of A v + b has an error of at most 4.1 e (2.13 M + N), and

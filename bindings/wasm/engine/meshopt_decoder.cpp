@@ -43,7 +43,7 @@ const char* name_of(MeshoptFilter filter) {
 }  // namespace
 
 // Returns 0 if there is no decoder. Otherwise `problem` is the decoder's error message
-// (decoder.mjs), or empty.
+// (`withDecoder`, files.mjs), or empty.
 EM_JS(int, call_meshopt_decode,
       (void* target, unsigned count, unsigned stride, const void* source, unsigned size,
        const char* mode, const char* filter, char* problem, unsigned room),

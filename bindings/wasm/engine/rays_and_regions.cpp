@@ -40,7 +40,8 @@ enum class Kind : std::uint32_t {
   frustum_webgpu,  ///< or 0 to 1
 };
 
-/// Reads the numbers of a region one after the other, in the order of the structs of shapes.hpp.
+/// Reads the numbers of a region one after the other, in the order of the members of its
+/// struct (pelt/math.hpp).
 class Reader {
  public:
   explicit Reader(std::span<const float> numbers) : numbers_(numbers) {}

@@ -4,8 +4,7 @@
 ///
 /// A method is queried pair by pair, or instance by instance against itself, on one thread. The
 /// method on_demand can also be queried as a crowd on any number of threads, which share palettes
-/// and pairs. Times of several threads are wall times, and so are then the times of all methods of
-/// the run.
+/// and pairs. With several threads, the times of all methods of the run are wall times.
 ///
 /// Each repetition of a frame first poses and queries the previous frame, untimed, so that the
 /// timed part starts from the state that an animation leaves. The timed part then sets the new

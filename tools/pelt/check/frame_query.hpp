@@ -23,9 +23,9 @@ namespace pelt::tools::check {
 
 /// Queries single frames, in any order. Answers do not depend on the order.
 ///
-/// A frame is posed once: all questions share the nodes that the first of them opens. Contacts
-/// alone are asked of a crowd, which also uses several threads and less memory. All that a crowd
-/// cannot answer is asked of poses, and so are then the contacts.
+/// A frame is posed once: all questions share the nodes that the first of them opens. If only
+/// contacts are needed, a crowd is queried, which uses several threads and less memory. Otherwise,
+/// single poses are queried, for contacts, too.
 class FrameQuery {
  public:
   /// `stage` is prepared, and must outlive the query. `threads`: of each crowd, at least 1.

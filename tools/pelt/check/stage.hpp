@@ -28,7 +28,7 @@ struct Stage {
   /// file or the frame. Cost: with --self-always, that of the check itself.
   Result<void> prepare();
 
-  /// The frame from which the step to a frame starts, given by its index; nullopt if there is none.
+  /// The frame from which the step to `frames[index]` starts; nullopt if there is none.
   /// With --between, a step leads from each frame to the next one of the same take.
   std::optional<std::uint32_t> step_from(std::size_t index) const;
 

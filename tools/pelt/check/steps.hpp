@@ -24,7 +24,7 @@ struct StepContacts {
 };
 
 /// Returns the contacts of a step. `at_start` and `at_end` are the counted contacts of its frames.
-/// What touches at the start of a piece has touched in the piece before or at the start of the
+/// Pairs that touch at the start of a piece also touch in the piece before, or at the start of the
 /// step, so `step` and `at_start` have all contacts. O(n log n) in contacts.
 StepContacts contacts_of_step(const StepAnswer& step, const scene::FrameContacts& at_start,
                               const scene::FrameContacts& at_end);

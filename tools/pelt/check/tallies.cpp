@@ -9,7 +9,8 @@
 namespace pelt::tools::check {
 namespace {
 
-/// The most poses that may lack a pair of triangles in at least `share` of `poses`. Rounds as
+/// The largest number of poses from which a pair of triangles may be absent that is in at least
+/// `share` of `poses`. Rounds as
 /// ContactTally::in_share_of_poses does.
 std::size_t misses_in(std::size_t poses, double share) {
   const auto total = static_cast<double>(poses);
