@@ -29,9 +29,9 @@ namespace {
 // always, each determinant that is not constant in sign has one sign change in its coefficients
 // on the piece, and therefore one root. The roots are approximated and enclosed between times at
 // which the signs are certain. Where enclosures are disjoint, the order of roots is certain, and
-// with it the sign of each determinant at the roots of the others: it is that at the start of the
-// piece before the determinant's own root, and that at the end after it. These signs decide
-// whether the features of a root intersect.
+// with it the sign of each determinant at the roots of the others: before its own root, a
+// determinant has its sign at the start of the piece, and after it, its sign at the end. These
+// signs decide whether the features of a root intersect.
 //
 // The first root at which they do is the first time if each other root is certainly later or has
 // disjoint features. No other features intersect then, so these are also the first ones in the
