@@ -70,8 +70,8 @@ TEST(SelfCollideMoving, EqualsTheExactTestOfAllPairsOnGridSoups) {
   EXPECT_GT(cracked, 50u);
 }
 
-/// Triangles that lie one above the other, as pairs: the upper one has the same corners in another
-/// order, follows joint 1, and has the lower number in every second pair.
+/// Triangles with the same corners in another order, far above each other, as pairs: the upper one
+/// follows joint 1, and has the lower number in every second pair.
 Shape make_congruent_pairs(Random& random, std::uint32_t pairs) {
   Shape shape;
   shape.influences_per_vertex = 1;
@@ -80,7 +80,7 @@ Shape make_congruent_pairs(Random& random, std::uint32_t pairs) {
     const float x = 4 * static_cast<float>(pair);
     const std::size_t turn = random.index(3);
     for (const std::uint32_t joint : {pair % 2, 1 - pair % 2}) {
-      const float z = static_cast<float>(joint);
+      const float z = 100 * static_cast<float>(joint);
       const Vec3 places[] = {{x, 0, z}, {x + 2, 0, z}, {x + 1, 2, z}};
       Triangle corners;
       for (std::size_t corner = 0; corner < 3; ++corner)
@@ -97,10 +97,10 @@ Shape make_congruent_pairs(Random& random, std::uint32_t pairs) {
 TEST(SelfCollideMoving, NamesFeaturesFromTheLowerTriangle) {
   Random random(1843);
   SelfBody body(make_congruent_pairs(random, 60));
-  std::vector<Matrix4> palette(2);
-  const std::vector<Matrix4> from = palette;
-  palette[1].m[14] = -2;
-  body.move(from, palette);
+  std::vector<Matrix4> from(2), to(2);
+  from[1].m[14] = -99;
+  to[1].m[14] = -102;
+  body.move(from, to);
   const MovingTriangles triangles = body.triangles();
   std::size_t ambiguous = 0;
   for (const MovingContact& found : body.contacts()) {
