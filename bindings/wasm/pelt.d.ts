@@ -55,7 +55,7 @@ import type { CollisionSearch, SearchOptions } from './types/search.js';
 import type { ContactTally, SelfContacts, SelfFilter } from './types/self.js';
 export * from './types/character.js';
 export * from './types/pose.js';
-export * from './types/solids.js';
+export * from './types/regions.js';
 export * from './types/queries.js';
 export * from './types/motion.js';
 export * from './types/scene.js';

@@ -1,4 +1,4 @@
-"""What the tests share: files, the command, simple bodies."""
+"""Shared by the tests: files, the command, simple bodies."""
 
 import functools
 import os

@@ -84,7 +84,7 @@ function filesOfScene(scene, root) {
 /** [instance a, instance b, ...pair] of instances 0 and 1, one after the other, as crowds list them. */
 export const contactsOf = (pairs) => [...pairs].flatMap((t, i) => (i % 2 ? [t] : [0, 1, t]));
 
-/** What a crowd has an instance of: the instances of a scene, or each part of them. */
+/** Returns the bodies that a crowd has: the instances of a scene, or each of their parts. */
 export function bodiesOf(scene, byPart) {
   return scene.instances.flatMap(({ character }, instance) => {
     const { parts } = scene.characters[character];

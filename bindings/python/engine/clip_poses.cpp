@@ -5,7 +5,6 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace pelt::python {

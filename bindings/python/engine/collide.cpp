@@ -13,6 +13,7 @@
 namespace pelt::python {
 namespace {
 
+/// FNV-1a, 64 bits. A copy, because the extension includes public headers only.
 class Fnv1a64 {
  public:
   void add(std::uint32_t word) {

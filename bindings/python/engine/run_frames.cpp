@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <limits>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -22,7 +21,7 @@ constexpr auto kBetweenLooks = std::chrono::milliseconds(100);
 
 }  // namespace
 
-/// What the threads of a call share.
+/// State that the threads of a call share.
 class SharedRun {
  public:
   SharedRun(std::size_t count, std::size_t block, const py::object& on_progress)

@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -84,11 +83,27 @@ Solid make_solid(const Kind& kind, const std::vector<float>& numbers) {
 /// A solid that stands still, or that has numbers of its own in each frame. Valid for all queries.
 class ClipSolid {
  public:
-  /// `kind`: the name of a class of Python, such as "Sphere".
+  /// `kind_name`: the name of a class of Python, such as "Sphere".
   /// `numbers`: [F, n] or [1, n] the members of the solid, in order.
   ///
   /// Throws an error that names the frame and the member if a number is invalid.
-  ClipSolid(const std::string& kind, const py::array& numbers);
+  ClipSolid(const std::string& kind_name, const py::array& numbers) {
+    const Kind& kind = kind_of(kind_name);
+    check_shape(numbers, kind_name, {-1, static_cast<py::ssize_t>(kind.count)},
+                "[F, " + std::to_string(kind.count) + "]");
+    if (numbers.shape(0) == 0) throw ArgumentError(kind_name + ": there are no frames");
+    const FloatView view(numbers, kind_name);
+    std::vector<float> members(kind.count);
+    for (std::size_t frame = 0; frame < view.size(0); ++frame) {
+      view.copy(frame, members.data());
+      try {
+        solids_.push_back(make_solid(kind, members));
+      } catch (const ArgumentError& error) {
+        const std::string place = view.size(0) == 1 ? "" : ", frame " + std::to_string(frame);
+        throw ArgumentError(kind_name + place + ": " + error.what());
+      }
+    }
+  }
 
   /// F, or 1 for a solid that stands still.
   std::size_t frame_count() const { return solids_.size(); }
@@ -98,24 +113,6 @@ class ClipSolid {
  private:
   std::vector<Solid> solids_;
 };
-
-ClipSolid::ClipSolid(const std::string& kind_name, const py::array& numbers) {
-  const Kind& kind = kind_of(kind_name);
-  check_shape(numbers, kind_name, {-1, static_cast<py::ssize_t>(kind.count)},
-              "[F, " + std::to_string(kind.count) + "]");
-  if (numbers.shape(0) == 0) throw ArgumentError(kind_name + ": there are no frames");
-  const FloatView view(numbers, kind_name);
-  std::vector<float> members(kind.count);
-  for (std::size_t frame = 0; frame < view.size(0); ++frame) {
-    view.copy(frame, members.data());
-    try {
-      solids_.push_back(make_solid(kind, members));
-    } catch (const ArgumentError& error) {
-      const std::string place = view.size(0) == 1 ? "" : ", frame " + std::to_string(frame);
-      throw ArgumentError(kind_name + place + ": " + error.what());
-    }
-  }
-}
 
 using Column = py::array_t<std::int32_t>;
 

@@ -8,6 +8,7 @@
 
 #include <malloc.h>
 
+#include <cstddef>
 #include <limits>
 #include <string_view>
 #include <utility>

@@ -11,7 +11,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <string>

@@ -20,26 +20,17 @@ std::vector<Contact>& found_pairs() {
   return found;
 }
 
-/// Answers with the pairs, numbered as in the characters.
-void answer_pairs(std::uint32_t first_a, std::uint32_t first_b) {
-  for (Contact& contact : found_pairs()) {
-    contact.triangle_a += first_a;
-    contact.triangle_b += first_b;
-  }
-  answer_arrays(found_pairs());
+void answer_found(const PoseHandle& a, const PoseHandle& b) {
+  answer_pairs(found_pairs(), a.body.first_triangle, b.body.first_triangle);
 }
 
-void answer_pairs(const PoseHandle& a, const PoseHandle& b) {
-  answer_pairs(a.body.first_triangle, b.body.first_triangle);
-}
-
-/// JavaScript keeps the poses, and calls nothing but delete_search after one has been deleted.
+/// JavaScript owns the poses. After it has deleted one, it calls nothing but delete_search.
 struct SearchHandle {
   CollisionSearch search;
   std::uint32_t first_a, first_b;  ///< the first triangles' numbers in the characters
 };
 
-/// What a search says of itself.
+/// Calls a member function of the search that has no parameters.
 template <auto kMember>
 auto of_search(const SearchHandle& handle) {
   return (handle.search.*kMember)();
@@ -53,10 +44,18 @@ std::uint64_t whole_number_of(double work) {
 
 }  // namespace
 
+void answer_pairs(std::vector<Contact>& pairs, std::uint32_t first_a, std::uint32_t first_b) {
+  for (Contact& contact : pairs) {
+    contact.triangle_a += first_a;
+    contact.triangle_b += first_b;
+  }
+  answer_arrays(pairs);
+}
+
 QueryStats collide(PoseHandle& a, PoseHandle& b, std::uint32_t most) {
   found_pairs().clear();
   const QueryStats stats = collide(a.pose, b.pose, scratch(), found_pairs(), {most});
-  answer_pairs(a, b);
+  answer_found(a, b);
   return stats;
 }
 PELT_EXPORT(collide)
@@ -76,7 +75,7 @@ QueryStats collide_eagerly(PoseHandle& a, PoseHandle& b, std::uint32_t most) {
   for (PoseHandle* handle : {&a, &b})
     if (!handle->is_refitted) stats += open_all(*handle);
   stats += detail::collide(*a.eager, *b.eager, scratch().detail(), found_pairs(), {most});
-  answer_pairs(a, b);
+  answer_found(a, b);
   return stats;
 }
 PELT_EXPORT(collide_eagerly)
@@ -87,7 +86,7 @@ PELT_EXPORT(intersects)
 QueryStats clearance(PoseHandle& a, PoseHandle& b, double tolerance, std::uint32_t most) {
   found_pairs().clear();
   const QueryStats stats = clearance(a.pose, b.pose, tolerance, scratch(), found_pairs(), {most});
-  answer_pairs(a, b);
+  answer_found(a, b);
   return stats;
 }
 PELT_EXPORT(clearance)
@@ -110,7 +109,7 @@ PELT_EXPORT(delete_search)
 void restart_search(SearchHandle& handle) { handle.search.restart(); }
 PELT_EXPORT(restart_search)
 
-/// Precondition: the search is not stale. All work is granted from 2^53 on.
+/// Precondition: the search is not stale. From 2^53 on, `work` is unlimited.
 QueryStats run_search(SearchHandle& handle, double work) {
   return handle.search.advance(whole_number_of(work), scratch());
 }
@@ -119,7 +118,7 @@ PELT_EXPORT(run_search)
 void search_contacts(const SearchHandle& handle) {
   const auto contacts = handle.search.contacts();
   found_pairs().assign(contacts.begin(), contacts.end());
-  answer_pairs(handle.first_a, handle.first_b);
+  answer_pairs(found_pairs(), handle.first_a, handle.first_b);
 }
 PELT_EXPORT(search_contacts)
 

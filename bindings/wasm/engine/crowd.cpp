@@ -19,8 +19,8 @@
 namespace pelt::wasm {
 namespace {
 
-/// The offsets of an instance of a crowd, which borrows them: those that were set last, and those
-/// at the start of the step. A move changes no address of an offset.
+/// Owns the offsets that a crowd borrows for an instance: the offsets that were set last, and the
+/// offsets at the start of the step. A move changes no address of an offset.
 class KeptOffsets {
  public:
   /// Copies offsets in a step, and returns the copy. Keeps the copy before it if the start of the
@@ -176,8 +176,8 @@ CrowdStats collide_limited(CrowdHandle& handle, const CrowdOptions& options) {
   return stats;
 }
 
-/// Removes ignored contacts, and answers with their number, and with all others.
-void answer_without_ignored(CrowdHandle& handle) {
+/// Removes ignored contacts, and answers with their number.
+void remove_ignored(CrowdHandle& handle) {
   std::size_t count = 0;
   if (!handle.ignored->is_empty())
     count = std::erase_if(handle.found, [&](const CrowdContact& contact) {
@@ -186,7 +186,6 @@ void answer_without_ignored(CrowdHandle& handle) {
           handle.members[contact.instance_b].character, contact.triangle_b);
     });
   answer().ignored = static_cast<double>(count);
-  answer_arrays(handle.found);
 }
 
 /// Tests instances against themselves with their filters.
@@ -318,7 +317,7 @@ Result<void> set_crowd_offsets(CrowdHandle& handle, std::uint32_t instance,
 }
 PELT_EXPORT(set_crowd_offsets)
 
-/// Answers with the number of ignored contacts, and all others.
+/// Answers with the number of ignored contacts, and with all other contacts.
 Result<CrowdStats> collide_crowd(CrowdHandle& handle, std::uint32_t most) {
   if (const auto known = know_ignored(handle); !known) return known.error();
   handle.found.clear();
@@ -327,7 +326,8 @@ Result<CrowdStats> collide_crowd(CrowdHandle& handle, std::uint32_t most) {
   const bool is_limited = most < CrowdOptions().max_contacts;
   const CrowdStats stats =
       is_limited ? collide_limited(handle, options) : collide_all(handle, options);
-  answer_without_ignored(handle);
+  remove_ignored(handle);
+  answer_arrays(handle.found);
   return stats;
 }
 PELT_EXPORT(collide_crowd)
@@ -352,7 +352,7 @@ Result<CrowdStats> collide_crowd_moving(CrowdHandle& handle, bool leaves_out_sta
                                         std::uint32_t most) {
   if (const auto known = know_ignored(handle); !known) return known.error();
   const CrowdStats stats = collide_motions(handle, {leaves_out_start, has_times, most});
-  answer_without_ignored(handle);
+  remove_ignored(handle);
   handle.columns = {};
   if (has_times) write_moving_columns(handle);
   const auto& [times, at_start, features] = handle.columns;
@@ -365,7 +365,8 @@ PELT_EXPORT(collide_crowd_moving)
 Result<void> without_ignored(CrowdHandle& handle, std::span<const CrowdContact> contacts) {
   if (const auto known = know_ignored(handle); !known) return known.error();
   handle.found.assign(contacts.begin(), contacts.end());
-  answer_without_ignored(handle);
+  remove_ignored(handle);
+  answer_arrays(handle.found);
   return {};
 }
 PELT_EXPORT(without_ignored)

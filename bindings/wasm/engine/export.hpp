@@ -1,9 +1,9 @@
 #pragma once
 
-/// How JavaScript calls a function of the engine. JavaScript (memory.mjs) writes the arguments as
+/// Exports functions of the engine to JavaScript. JavaScript (memory.mjs) writes the arguments as
 /// numbers: an object of the engine is its address; a text or an array is the address of a copy
-/// and its size in bytes. The function gets them as its parameters, and what it returns becomes a
-/// number again: the work of a query is stored in the answer, and an error is NaN.
+/// and its size in bytes. The function gets them as its parameters. Its result becomes a number
+/// again: the work of a query is stored in the answer, and an error is NaN.
 
 #include <pelt/result.hpp>
 
@@ -26,8 +26,8 @@ namespace pelt::wasm {
 /// The arguments that JavaScript has written.
 const double* arguments();
 
-/// Reads a whole number, and moves on to the next argument. The conversion is long, so it stands
-/// once.
+/// Reads a whole number, and moves on to the next argument. Not inlined, because the conversion is
+/// long.
 [[gnu::noinline]] std::uint32_t next_whole(const double*& next);
 
 template <typename T>

@@ -11,7 +11,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,6 +83,10 @@ struct FilterHandle {
   std::shared_ptr<Character> character;
   SelfFilter filter;
 };
+
+/// Converts pairs to the characters' triangle numbers, and answers with them. `first_a` and
+/// `first_b` are the numbers of the bodies' first triangles.
+void answer_pairs(std::vector<Contact>& pairs, std::uint32_t first_a, std::uint32_t first_b);
 
 /// Working memory shared by all queries.
 Scratch& scratch();

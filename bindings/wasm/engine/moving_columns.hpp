@@ -7,7 +7,7 @@
 
 namespace pelt::wasm {
 
-/// What JavaScript reads about moving contacts beside their triangles, in the order of motion.mjs.
+/// Times and features of moving contacts, in the order of motion.mjs.
 struct MovingColumns {
   std::vector<float> times;
   std::vector<std::uint8_t> at_start;

@@ -65,7 +65,7 @@ const asset::Clip* clip_of(const asset::Asset& asset, std::int32_t clip) {
   return clip < 0 ? nullptr : &asset.clips[static_cast<std::size_t>(clip)];
 }
 
-/// Sets both or neither: tries them on a copy first.
+/// Sets palette and weights, or neither: sets them in a copy first.
 Result<void> take(PoseHandle& handle, const Sampled& sampled) {
   handle.moved();
   if (!sampled.weights.empty()) {

@@ -17,7 +17,7 @@ void answer_bounds(const Bounds& bounds) {
   answer().radius = bounds.sphere.radius;
 }
 
-/// Skins the vertices unless that is already done. Drawing needs vertices and then normals.
+/// Skins the vertices unless they are up to date: drawing needs vertices and then normals.
 std::span<const Vec3> pose_vertices(PoseHandle& handle) {
   if (handle.has_vertices) return handle.vertices;
   handle.vertices.resize(handle.pose.model().vertex_count());
@@ -26,7 +26,7 @@ std::span<const Vec3> pose_vertices(PoseHandle& handle) {
   return handle.vertices;
 }
 
-/// The palette or something else has been set, or was refused.
+/// Marks the vertices as out of date, and returns the result of a setter of the pose.
 Result<void> moved(PoseHandle& handle, const Result<void>& set) {
   handle.moved();
   return in_words_of_javascript(set);

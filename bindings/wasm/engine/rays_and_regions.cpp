@@ -28,7 +28,7 @@ void answer_hits(std::span<const RayHit> hits, const PoseHandle& handle) {
   answer_arrays(rows);
 }
 
-/// Same numbers as in solids.mjs.
+/// Same numbers as in regions.mjs.
 enum class Kind : std::uint32_t {
   half_space,
   box,

@@ -6,7 +6,6 @@
 #include "scenes/clip_samples.hpp"
 #include "scenes/demo.hpp"
 #include "scenes/ignored_pairs.hpp"
-#include "scenes/takes.hpp"
 #include "text/message.hpp"
 
 namespace pelt::wasm {
@@ -63,7 +62,7 @@ Result<std::vector<CharacterHandle>> prepare_all(scenes::Scene& scene, const Opt
   return handles;
 }
 
-/// Only the choices of the scene file.
+/// Describes only the choices that the scene file makes.
 json describe(const scenes::SelfOptions& self) {
   constexpr const char* kWanted[] = {"off", "also", "only"};
   json described = json::object();

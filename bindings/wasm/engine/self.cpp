@@ -93,11 +93,7 @@ SelfStats self_collide(PoseHandle& pose, const FilterHandle& filter, std::uint32
   static std::vector<Contact> found;
   found.clear();
   const SelfStats stats = self_collide(pose.pose, filter.filter, scratch(), found, {most});
-  for (Contact& contact : found) {
-    contact.triangle_a += pose.body.first_triangle;
-    contact.triangle_b += pose.body.first_triangle;
-  }
-  answer_arrays(found);
+  answer_pairs(found, pose.body.first_triangle, pose.body.first_triangle);
   return stats;
 }
 PELT_EXPORT(self_collide)

@@ -92,7 +92,7 @@ export function numbers(value, length, name) {
   throw invalid(`${name}: expected ${length} numbers, found ${value.length}`);
 }
 
-/** The same, and returns them as a `type`. */
+/** Checks like `numbers`, and returns the numbers as a `type`. */
 export function typed(value, length, name, type = Float32Array) {
   const checked = numbers(value, length, name);
   return checked instanceof type ? checked : type.from(checked);

@@ -1,4 +1,4 @@
-/** What the engine needs to read a file beside its bytes: the files that it names, and a decoder. */
+/** Lends the engine the files that a file names, and a decoder, while it reads that file. */
 
 import * as check from './checks.mjs';
 import { invalid, PeltError } from './errors.mjs';
@@ -80,9 +80,9 @@ export function withFiles(memory, files, use) {
 }
 
 /**
- * Calls `use()` with `decode` as the engine's decoder of EXT_meshopt_compression. It may throw nothing
- * into the engine: what it throws is returned as text for the message, and becomes the cause of the
- * error that follows.
+ * Calls `use()` with `decode` as the engine's decoder of EXT_meshopt_compression. An exception of the
+ * decoder must not enter the engine: its text is returned for the message, and the exception becomes the
+ * cause of the error that follows.
  */
 export function withDecoder(memory, decode, use) {
   if (decode === undefined) return memory.withDecoder(undefined, use);

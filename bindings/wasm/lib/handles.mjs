@@ -43,7 +43,7 @@ export class Handles {
     held.address = 0;
   }
 
-  /** Forgets all objects, which have ended with the engine. */
+  /** Frees an object, unless it has ended with the engine. */
   #remove({ address, remove }) {
     if (!this.#memory.hasEnded) this.#memory.call(remove, address);
   }

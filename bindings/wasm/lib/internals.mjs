@@ -1,4 +1,4 @@
-/** What the package does not export: the memory of an engine, and internals for Pelt's own tests. */
+/** Access to the memory of an engine, for pelt.mjs and Pelt's own tests. Not exported by the package. */
 
 const memories = new WeakMap();
 

@@ -1,5 +1,5 @@
 /**
- * The one way into the engine: calls, with what they take and answer (export.hpp and answer.hpp).
+ * The one way into the engine: calls, their arguments and their answers (export.hpp and answer.hpp).
  * The engine may move its memory when the memory grows, so views of it are created for each access
  * and never stored.
  */
@@ -61,7 +61,7 @@ export class Memory {
     throw new PeltError(code, message);
   }
 
-  /** The same for a function that returns a text. */
+  /** Calls a function that returns a text. */
   text(name, ...values) {
     return this.#engine.UTF8ToString(this.call(name, ...values));
   }
@@ -82,7 +82,7 @@ export class Memory {
     return Object.fromEntries(names.map((name) => [name, this.field(name)]));
   }
 
-  /** The work of the last query. */
+  /** Returns the work of the last query. */
   stats() {
     return {
       ...this.fields('nodePairs', 'refits', 'posedVertices', 'trianglePairs'),
@@ -152,7 +152,7 @@ export class Memory {
     }
   }
 
-  /** Adds what the engine gets for a value. */
+  /** Adds the numbers that the engine gets for a value. */
   #addNumbers(numbers, value, allocated) {
     if (typeof value === 'number') numbers.push(value);
     else if (typeof value === 'boolean') numbers.push(value ? 1 : 0);
@@ -186,9 +186,9 @@ export class Memory {
   }
 
   /**
-   * C++ that runs out of memory leaves by an exception and cleans nothing up; what the engine holds
-   * may be half changed then. So whatever leaves a call that way ends the engine, and nothing enters
-   * it any more.
+   * C++ that runs out of memory throws, and cleans nothing up: the data of the engine may be half
+   * changed. Any exception that leaves a call therefore ends the engine, and nothing enters it any
+   * more.
    */
   #enter(name, ...numbers) {
     this.#state = kInside;

@@ -15,7 +15,7 @@ const kMotionRules = { from: any, to: any };
 const kFirstRules = { leaveOutStart: check.flag };
 const kMovingRules = { leaveOutStart: check.flag, times: check.flag, maxContacts: limit };
 
-/** Same order as in moving_columns.hpp; the triangles of contacts are the array before them. */
+/** Same order as in moving_columns.hpp. The array before these has the triangles of the contacts. */
 const kColumns = [
   ['times', Float32Array],
   ['atStart', Uint8Array],
@@ -41,14 +41,14 @@ function motions(memory, a, b) {
   return [...of, ...other];
 }
 
-/** Returns the options as the engine takes them. */
+/** Returns the options as arguments of the engine. */
 export function readMovingOptions(memory, options) {
   const read = readOptions(memory, options, kMovingRules);
   const { leaveOutStart = false, times = true, maxContacts = check.kMaxCount } = read;
   return [leaveOutStart, times, maxContacts];
 }
 
-/** Reads what the last query has found about each contact beside its triangles. */
+/** Reads the times and features of the contacts of the last query. */
 export function readMovingColumns(memory) {
   return memory.arrays(kColumns, 1);
 }

@@ -4,8 +4,8 @@ import * as check from './checks.mjs';
 import { invalid } from './errors.mjs';
 
 /**
- * The values by their keys, without those that are undefined. `rules` has for each known key what
- * checks its value; `place` names the object in messages, and is empty for options.
+ * Returns the values by their keys, without undefined values. `rules` has a function for each known key,
+ * which checks the value. `place` names the object in messages, and is empty for options.
  */
 export function readObject(memory, given, rules, place = '') {
   const values = {};
@@ -22,7 +22,7 @@ function unknown(memory, key, known, place) {
   return invalid(`${what} ${JSON.stringify(key)}${memory.suggestion(key, known)}`);
 }
 
-/** Options shared by few calls. */
+/** Reads options, which may be absent. */
 export function readOptions(memory, options, rules) {
   return options === undefined ? {} : readObject(memory, options, rules);
 }

@@ -2,7 +2,7 @@
 
 import type { Character } from './character.js';
 import type { ClosestPoint, ClosestPointOptions, QueryStats } from './queries.js';
-import type { Region, TrianglesInRegion, Vector } from './solids.js';
+import type { Region, TrianglesInRegion, Vector } from './regions.js';
 
 /** One instance of a character with a joint palette. */
 export interface Pose {
