@@ -197,8 +197,7 @@ describe('edits', () => {
 
 describe('what the page has chosen', () => {
   test('is told as long as it is so', async () => {
-    const { arrange } = await load('scene/arrange.ts');
-    const { notesOn } = await load('scene/arrange.ts');
+    const { arrange, notesOn } = await load('scene/arrange.ts');
     const two = [character('a', 1), { ...character('b', 1), clips: [{ name: 'run', seconds: 1 }] }];
     const scene = arrange(two, 'walking');
     const [clips, ...rest] = notesOn(scene, two);
@@ -211,8 +210,7 @@ describe('what the page has chosen', () => {
 
 describe('characters of very different sizes', () => {
   test('are named, as long as they are so', async () => {
-    const { arrange } = await load('scene/arrange.ts');
-    const { notesOn } = await load('scene/arrange.ts');
+    const { arrange, notesOn } = await load('scene/arrange.ts');
     const small = { low: [-0.04, 0, -0.01], high: [0.04, 0.09, 0.01] };
     const cast = [character('dragon', 1), { ...character('fly', 1), extent: small }];
     const scene = arrange(cast, 'walking');

@@ -1,5 +1,5 @@
+import { isInRange } from '../scene/scene';
 import type { Counts } from '../state/counts';
-import { isInRange } from '../state/frames';
 import type { FrameRange } from '../worker/protocol';
 import { memo } from './memo';
 

@@ -205,7 +205,7 @@ function Ignored({ count }: { count: number | undefined }) {
   );
 }
 
-/** What a limit of the work has left undecided. */
+/** Counts the frames that a limit of the work has left undecided. */
 function Budget({ state: { budget, sweep }, update }: PanelProps) {
   if (budget === null) return null;
   const { unknown, touching, decided } = undecidedFrames(sweep);

@@ -1,8 +1,8 @@
 import type { JSX } from 'preact';
-import { frameTime } from '../scene/scene';
+import { frameTime, isInRange } from '../scene/scene';
 import { jumpToContact, pauseAt, step, togglePlaying } from '../state/changes';
 import { totalsOf } from '../state/counts';
-import { checkedFrames, isInRange } from '../state/frames';
+import { checkedFrames } from '../state/frames';
 import { frameInPicture, isInStep, isLate, momentOf, whyNothingIsCompared } from '../state/shots';
 import type { Change, State, SweepState, Update } from '../state/state';
 import { knownSteps } from '../state/steps';

@@ -156,7 +156,7 @@ function ofSeveralParts(touches: readonly Touch[]): ReadonlySet<number> {
 }
 
 /** Shows how a touch is worse than in the baseline: both numbers of contacts. */
-export function Worse({ state, touch }: { state: State; touch: Touch }) {
+function Worse({ state, touch }: { state: State; touch: Touch }) {
   const found = worseTouch(touch, state);
   if (!found) return null;
   const { worst, known } = found;

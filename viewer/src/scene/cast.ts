@@ -1,4 +1,4 @@
-/** Who is in a scene: copies of a scene with one instance more or less. */
+/** The characters in a scene, and copies of a scene with one instance more or less. */
 
 import type { CharacterFacts } from '../worker/protocol';
 import type { Scene, Vector3 } from './types';

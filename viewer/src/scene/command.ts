@@ -1,4 +1,4 @@
-/** The words by which the command gives the numbers that the page shows. */
+/** The command that gives the numbers that the page shows, and the scene file for it. */
 
 import type { By, CharacterFacts, FrameRange, ReadingOptions } from '../worker/protocol';
 import { FPS } from './arrange';

@@ -1,6 +1,6 @@
 /** Frames, places and times of a scene, and changes of it. */
 
-import type { CharacterFacts } from '../worker/protocol';
+import type { CharacterFacts, FrameRange } from '../worker/protocol';
 import type { Instance, ModelSource, Quaternion, Scene, Vector3 } from './types';
 
 /** The path of a file, unless the model is generated. */
@@ -57,6 +57,13 @@ export function withInstance(scene: Scene, index: number, change: Partial<Instan
 export function withFps(scene: Scene, fps: number): Scene {
   const frameCount = Math.round((scene.frameCount * fps) / scene.fps);
   return { ...scene, fps, frameCount: Math.min(Math.max(1, frameCount), MOST_FRAMES) };
+}
+
+/** Returns true for all frames if there is no range. */
+export function isInRange(frame: number, range: FrameRange | null): boolean {
+  if (!range) return true;
+  const [first, end, step] = range;
+  return frame >= first && frame < end && (frame - first) % step === 0;
 }
 
 /** The second scene, as long as its longest clip where the first was as long as its own. */

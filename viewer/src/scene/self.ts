@@ -8,7 +8,7 @@ import type { Scene, SelfChoices } from './types';
 
 export type SelfWanted = 'off' | 'also' | 'only';
 
-export const USUAL_RINGS = 5;
+const USUAL_RINGS = 5;
 export const MOST_RINGS = 64;
 
 /** Share that is dropped once the filter is turned on. */
@@ -30,7 +30,7 @@ export function keepOrDrop(drops: boolean): 'keep' | 'drop' {
   return drops ? 'drop' : 'keep';
 }
 
-/** What the defaults depend on. */
+/** The defaults depend on these. */
 export interface SelfAsking {
   scene: Scene;
   by: By;

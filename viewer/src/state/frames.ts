@@ -11,12 +11,6 @@ export function checkedFrames({
   return scene && frames && frames[1] <= scene.frameCount ? frames : null;
 }
 
-export function isInRange(frame: number, range: FrameRange | null): boolean {
-  if (!range) return true;
-  const [first, end, step] = range;
-  return frame >= first && frame < end && (frame - first) % step === 0;
-}
-
 /** "85 to 89", "10 to 58 in steps of 3" */
 export function rangeInWords([first, end, step]: FrameRange): string {
   const last = first + step * (Math.ceil((end - first) / step) - 1);

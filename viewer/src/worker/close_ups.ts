@@ -1,5 +1,5 @@
 /**
- * What the page shows of contacts beside their triangles: the sides from which they are visible, those
+ * Facts about contacts beside their triangles: the sides from which they are visible, those
  * between two places, and the closest points of bodies within a clearance.
  */
 

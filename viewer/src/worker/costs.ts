@@ -106,7 +106,7 @@ export class CostMeter {
 }
 
 /** Tells how long something takes that is done bit by bit, with other things in between. */
-export class Stopwatch {
+class Stopwatch {
   private before = 0;
   private since = 0;
 

@@ -5,7 +5,7 @@ import { loadPelt, PeltError } from 'pelt';
 import { Desk } from './desk';
 import type { Reply, Request, SweepProgress } from './protocol';
 
-/** Keeps an engine at work: one that has ended, for want of memory as a rule, gives way to another. */
+/** Answers requests, and replaces an engine that has ended, usually because it ran out of memory. */
 class Keeper {
   private desk: Promise<Desk>;
   /** Requests that created the current scene, to be repeated after a restart. */

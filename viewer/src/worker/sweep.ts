@@ -8,17 +8,10 @@ import type {
   Pelt,
   Scene as EngineScene,
 } from 'pelt';
+import { isInRange } from '../scene/scene';
 import { partsOf } from './bodies';
 import { OwnContacts, type SelfFilters } from './own_contacts';
-import type {
-  By,
-  FrameRange,
-  Questions,
-  SelfQuestion,
-  Step,
-  SweepProgress,
-  SweepTotal,
-} from './protocol';
+import type { By, Questions, SelfQuestion, Step, SweepProgress, SweepTotal } from './protocol';
 import { countSelf, SceneCrowd } from './scene_crowd';
 import { Steps } from './steps';
 import { NOTHING_LEFT_OUT, sumOfLeftOut } from './sums';
@@ -128,7 +121,7 @@ export class Sweep {
 
   private searchFrame(search: AlwaysSearch): void {
     const frame = this.searched++;
-    if (isIn(this.question.frames, frame)) search.addFrame(frame);
+    if (isInRange(frame, this.question.frames)) search.addFrame(frame);
     if (this.searched < this.scene.frameCount) return;
     search.end();
     search.delete();
@@ -138,7 +131,7 @@ export class Sweep {
 
   private countFrame(crowd: SceneCrowd): void {
     const frame = this.next++;
-    if (!isIn(this.question.frames, frame)) {
+    if (!isInRange(frame, this.question.frames)) {
       this.counts.push(null);
       this.selfCounts.push(null);
       this.undecided.push(null);
@@ -170,18 +163,12 @@ export class Sweep {
   }
 }
 
-function isIn(frames: FrameRange | null, frame: number): boolean {
-  if (!frames) return true;
-  const [first, end, step] = frames;
-  return frame >= first && frame < end && (frame - first) % step === 0;
-}
-
 /**
  * Finds the pairs of triangles that touch in nearly all frames, one frame at a time, for the filter
  * that drops them.
  */
 class AlwaysSearch {
-  /** Of each instance. */
+  /** The query of each instance. */
   private readonly queries: OwnContacts[];
   private readonly tallies: ReadonlyMap<Character, ContactTally>;
 
