@@ -98,7 +98,7 @@ double number_for_javascript(Result<T> result) {
 
 template <typename R, typename... P>
 double call(R (*function)(P...)) {
-  const double* next = arguments();
+  [[maybe_unused]] const double* next = arguments();            // unused without parameters
   std::tuple<P...> parameters = {Parameter<P>::read(next)...};  // in this order
   if constexpr (std::is_void_v<R>)
     return std::apply(function, std::move(parameters)), 0;
