@@ -40,13 +40,10 @@ Result<void> write_contacts_glb(output::OutputFile& file, const scene::StagedSce
 std::string outer_lines(const CheckAnswer& answer) {
   const CheckReport& report = answer.report;
   const std::vector<Touch> touches = answer.tally.touches();
-  Findings found = {touches};
-  if (report.inside) found.held = report.inside->held;
-  if (report.totals.between) found.between = report.totals.between->touches;
   std::ostringstream lines;
   JsonlWriter writer(&lines, answer.stage);
   writer.header();
-  writer.totals(report.totals, found, report.verdict);
+  writer.totals(findings_of(report, touches), report.verdict);
   return lines.str();
 }
 

@@ -166,6 +166,13 @@ ordered_json found_json(const Stage& stage, const scene::FrameContacts& found,
   return pairs;
 }
 
+ordered_json left_out_json(const LeftOut& left_out) {
+  return {{"rings", left_out.rings},
+          {"at_rest", left_out.at_rest},
+          {"always", left_out.always},
+          {"near_joints", left_out.joints}};
+}
+
 ordered_json inside_json(const scene::StagedScene& staged, std::span<const InsidePair> inside) {
   const auto deepest = [&](const Penetration& found, std::uint32_t outer) -> ordered_json {
     if (!found) return nullptr;
@@ -192,6 +199,13 @@ ordered_json feature_json(const Feature& feature) {
   return json;
 }
 
+/// A contact of a step, with its first time and the features that meet.
+ordered_json first_touch_json(const Contact& contact, const FirstTouch& first) {
+  return {{"triangles", {contact.triangle_a, contact.triangle_b}},
+          {"first", first.seconds},
+          {"features", {feature_json(first.a), feature_json(first.b)}}};
+}
+
 /// One object per pair of colliders.
 ordered_json pairs_json(const StepContacts& step, bool lists_triangles) {
   ordered_json pairs = ordered_json::array();
@@ -208,6 +222,29 @@ ordered_json pairs_json(const StepContacts& step, bool lists_triangles) {
     if (lists_triangles) pairs.back()["between"] = std::move(list);
   }
   return pairs;
+}
+
+/// Adds the frame from which a step starts, as `step`.
+void add_step(const scenes::Scene& scene, std::uint32_t from, ordered_json& object) {
+  scene::add_frame(scene, from, "step", "clip_step", object);
+}
+
+/// The line of a step with contacts between its frames. `lists_triangles`: also all contacts, with
+/// times and features.
+ordered_json step_json(const scene::StagedScene& staged, const StepContacts& step,
+                       bool lists_triangles) {
+  const scenes::Take* const take = scenes::find_take(staged.scene, step.from);
+  ordered_json line;
+  add_step(staged.scene, step.from, line);
+  line["to"] = step.to;
+  if (take != nullptr) line["clip"] = take->clip;
+  line["time"] = scenes::frame_time(staged.scene, step.from);
+  line["end_time"] = scenes::frame_time(staged.scene, step.to);
+  line["contacts"] = step.contacts;
+  line["only_between"] = step.firsts.size();
+  line["first"] = step.firsts[step.earliest()].seconds;
+  line["pairs"] = pairs_json(step, lists_triangles);
+  return line;
 }
 
 /// An object with `clip`, or an empty one without a clip.
@@ -349,39 +386,6 @@ std::string frame_line(const Stage& stage, const FrameAnswer& answer,
   return text::json_text(line);
 }
 
-ordered_json left_out_json(const LeftOut& left_out) {
-  return {{"rings", left_out.rings},
-          {"at_rest", left_out.at_rest},
-          {"always", left_out.always},
-          {"near_joints", left_out.joints}};
-}
-
-ordered_json first_touch_json(const Contact& contact, const FirstTouch& first) {
-  return {{"triangles", {contact.triangle_a, contact.triangle_b}},
-          {"first", first.seconds},
-          {"features", {feature_json(first.a), feature_json(first.b)}}};
-}
-
-void add_step(const scenes::Scene& scene, std::uint32_t from, ordered_json& object) {
-  scene::add_frame(scene, from, "step", "clip_step", object);
-}
-
-ordered_json step_json(const scene::StagedScene& staged, const StepContacts& step,
-                       bool lists_triangles) {
-  const scenes::Take* const take = scenes::find_take(staged.scene, step.from);
-  ordered_json line;
-  add_step(staged.scene, step.from, line);
-  line["to"] = step.to;
-  if (take != nullptr) line["clip"] = take->clip;
-  line["time"] = scenes::frame_time(staged.scene, step.from);
-  line["end_time"] = scenes::frame_time(staged.scene, step.to);
-  line["contacts"] = step.contacts;
-  line["only_between"] = step.firsts.size();
-  line["first"] = step.firsts[step.earliest()].seconds;
-  line["pairs"] = pairs_json(step, lists_triangles);
-  return line;
-}
-
 void JsonlWriter::header() {
   if (out_ == nullptr) return;
   scene::write_header("pelt-check", stage_.staged,
@@ -436,8 +440,9 @@ ordered_json JsonlWriter::verdict_json(const Verdict& verdict) const {
   return json;
 }
 
-void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const Verdict& verdict) {
+void JsonlWriter::totals(const Findings& found, const Verdict& verdict) {
   if (out_ == nullptr) return;
+  const CheckTotals& totals = found.totals;
   ordered_json last = {{"totals",
                         {{"frames", totals.frames},
                          {"frames_in_contact", totals.frames_in_contact},
@@ -462,7 +467,7 @@ void JsonlWriter::totals(const CheckTotals& totals, const Findings& found, const
   if (totals.between) {
     last["totals"]["between"] = between_json(stage_.staged, *totals.between);
     last["touches_between"] = ordered_json::array();
-    for (const Touch& touch : found.between)
+    for (const Touch& touch : found.between())
       last["touches_between"].push_back(touch_between_json(stage_.staged, touch));
   }
   if (stage_.settings.options.inside) last["held"] = held_list(found.held);

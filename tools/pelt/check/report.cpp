@@ -57,6 +57,10 @@ std::optional<AlwaysTally> make_always_tally(const Stage& stage) {
 
 }  // namespace
 
+Findings findings_of(const CheckReport& report, std::span<const Touch> touches) {
+  return {report.totals, touches, report.inside ? report.inside->held : std::span<const Held>()};
+}
+
 CheckRecord::CheckRecord(const Stage& stage, TouchTally& tally, JsonlWriter& jsonl)
     : stage_(stage),
       settings_(stage.settings),
@@ -134,12 +138,9 @@ Result<void> CheckRecord::finish_extras() {
 
 void CheckRecord::judge_findings() {
   const std::vector<Touch> touches = tally_.touches();
-  Findings found = {touches};
-  if (report_.inside) found.held = report_.inside->held;
-  if (report_.totals.between) found.between = report_.totals.between->touches;
-  found.frames_unknown = report_.totals.unknown.frames.size();
+  const Findings found = findings_of(report_, touches);
   report_.verdict = judge(stage_.staged, found, settings_);
-  jsonl_.totals(report_.totals, found, report_.verdict);
+  jsonl_.totals(found, report_.verdict);
 }
 
 }  // namespace pelt::tools::check

@@ -9,6 +9,7 @@
 #include "tools/pelt/scene/frame_contacts.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace pelt::tools::check {
@@ -36,6 +37,9 @@ struct CheckReport {
   std::optional<AlwaysCounts> always;  ///< if --self-always is not chosen
   std::vector<double> frame_seconds;   ///< setting palettes and querying pairs, without sampling
 };
+
+/// Returns what `judge` needs. `report` and `touches` must outlive it.
+Findings findings_of(const CheckReport& report, std::span<const Touch> touches);
 
 class CheckRecord {
  public:

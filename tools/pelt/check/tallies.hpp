@@ -1,21 +1,50 @@
 #pragma once
 
-/// Sums over all frames of a check: contacts that are nearly always there, contained bodies,
-/// patches.
+/// Sums over all frames of a check: totals, contacts that are nearly always there, contained
+/// bodies, patches.
 
+#include <pelt/self_filter.hpp>
 #include <pelt/surface.hpp>
 
 #include "tools/pelt/check/frame_answer.hpp"
+#include "tools/pelt/check/steps.hpp"
 #include "tools/pelt/scene/staged_scene.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace pelt::tools::check {
+
+/// Totals of the frames of a take.
+struct TakeTotals {
+  std::uint32_t take = 0;  ///< index into Scene::takes
+  std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
+  std::uint64_t worst = 0;        ///< the most contacts of one frame
+  std::uint32_t worst_frame = 0;  ///< the first frame with as many
+};
+
+/// Pairs that --budget has left undecided.
+struct UnknownTotals {
+  std::vector<std::uint32_t> frames;  ///< frames with undecided pairs of bodies
+  std::uint64_t most_pairs = 0;       ///< most undecided pairs of triangles in one frame
+  double resolution = 0;              ///< longest side of all regions of missing contacts
+};
+
+struct CheckTotals {
+  std::uint64_t frames = 0, frames_in_contact = 0, contacts = 0;
+  std::uint64_t ignored = 0;             ///< contacts that do not count
+  LeftOut left_out;                      ///< contacts of bodies with themselves that do not count
+  QueryStats work;                       ///< without that of steps
+  std::optional<BetweenReport> between;  ///< if steps were tested
+  std::vector<TakeTotals> takes;         ///< of checked frames; empty if the scene has no takes
+  UnknownTotals unknown;
+  std::optional<std::uint64_t> hash;  ///< nullopt if contacts were limited
+};
 
 /// Numbers of contacts of characters with themselves.
 struct AlwaysCounts {

@@ -36,16 +36,16 @@ bool has_new(const Comparison& comparison) {
 bool fails(FailOn fail_on, const Findings& found, const std::optional<Comparison>& comparison) {
   switch (fail_on) {
     case FailOn::contact:
-      return !found.touches.empty() || !found.held.empty() || !found.between.empty();
+      return !found.touches.empty() || !found.held.empty() || !found.between().empty();
     case FailOn::between:
-      return !found.between.empty();
+      return !found.between().empty();
     case FailOn::grown:
       return has_new(*comparison) || !comparison->touches.worse.empty() ||
              !comparison->between.worse.empty();
     case FailOn::newly:
       return has_new(*comparison);
     case FailOn::unknown:
-      return !found.touches.empty() || !found.held.empty() || found.frames_unknown > 0;
+      return !found.touches.empty() || !found.held.empty() || !found.totals.unknown.frames.empty();
     case FailOn::never:
       break;
   }
@@ -147,7 +147,7 @@ Comparison compare(const scene::StagedScene& staged, const Findings& found,
   Comparison comparison;
   comparison.notes.assign(baseline.notes().begin(), baseline.notes().end());
   comparison.touches = compare_touches(staged, found.touches, baseline.touches());
-  comparison.between = compare_touches(staged, found.between, baseline.touches_between());
+  comparison.between = compare_touches(staged, found.between(), baseline.touches_between());
   compare_held(staged, found.held, baseline, comparison);
   return comparison;
 }

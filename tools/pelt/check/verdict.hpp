@@ -30,10 +30,15 @@ const char* name_of(FailOn fail_on);
 
 /// Results of a check.
 struct Findings {
+  const CheckTotals& totals;
   std::span<const Touch> touches;
-  std::span<const Held> held = {};      ///< empty if not requested
-  std::span<const Touch> between = {};  ///< between frames; empty if not requested
-  std::uint64_t frames_unknown = 0;     ///< frames with undecided pairs of bodies
+  std::span<const Held> held;  ///< empty if not requested
+
+  /// Touches between frames; empty if not requested.
+  std::span<const Touch> between() const {
+    return totals.between ? std::span<const Touch>(totals.between->touches)
+                          : std::span<const Touch>();
+  }
 };
 
 /// A touch that is worse than in the baseline.

@@ -33,8 +33,8 @@ std::string number(const ordered_json& value) {
 }
 
 const char* headline(const ordered_json& verdict) {
-  if (verdict["fail_on"] == "never") return "Report";
-  return verdict["failed"] == true ? "Check failed" : "Check passed";
+  if (verdict["failed"] == true) return "Check failed";
+  return verdict["fail_on"] == "never" ? "Report" : "Check passed";
 }
 
 /// Says what counts as a contact.

@@ -40,8 +40,8 @@ export function ReportPanel({ state, update }: PanelProps) {
 }
 
 function verdictInWords({ verdict: { failed, fail_on } }: ReportAnswer): string {
-  if (fail_on === 'never') return 'Report';
-  return failed ? 'Check failed' : 'Check passed';
+  if (failed) return 'Check failed';
+  return fail_on === 'never' ? 'Report' : 'Check passed';
 }
 
 function findingInWords(state: State): string {
