@@ -16,7 +16,6 @@
 #include <pelt/collide.hpp>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace pelt::paper {

@@ -1,7 +1,5 @@
 #include "paper/posed_triangles.hpp"
 
-#include <algorithm>
-
 namespace pelt::paper {
 
 PosedTriangles::PosedTriangles(const SkinnedMesh& mesh)

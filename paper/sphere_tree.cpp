@@ -3,7 +3,6 @@
 #include "paper/min_sphere.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pelt::paper {
 namespace {

@@ -1,7 +1,5 @@
 #include "scenes/creature/skin_weights.hpp"
 
-#include "base/assert.hpp"
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What is wrong with an argument, as text and as an error.
+/// Problems of arguments, as text and as errors.
 
 #include <pelt/result.hpp>
 

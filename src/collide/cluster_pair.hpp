@@ -6,7 +6,7 @@
 /// (triangle_triage.hpp). The exact predicate decides the few lanes that this test leaves
 /// undecided.
 
-#include <pelt/collide.hpp>
+#include <pelt/query.hpp>
 
 #include "base/instruction_set.hpp"
 #include "query/slots.hpp"

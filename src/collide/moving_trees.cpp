@@ -53,9 +53,9 @@ MovingStats collide_moving_trees(const MovingTree& a, const MovingTree& b, Scrat
 
 namespace {
 
-/// Of the triangles that are apart at time 0, finds the pair that intersects first. Once a pair is
-/// known, only what may overlap until its time is visited. Nodes whose boxes overlap earliest are
-/// visited first, so that an early pair is found soon.
+/// Finds the pair of triangles that intersects first, among the pairs that are apart at time 0.
+/// Once a pair is known, skips boxes that overlap only after its time. Visits the nodes whose boxes
+/// overlap earliest first, to find an early pair soon.
 class FirstWhileMoving : public MovingOverlap {
  public:
   FirstWhileMoving(const Tree& a, const Tree& b, EarliestPair& earliest, MovingStats& work)

@@ -257,7 +257,7 @@ QueryStats triangles_within(const PosedTree& a, const PosedTree& b, Scratch& scr
 
 namespace {
 
-// From a point.
+// The search from a point.
 
 /// Finds the triangle closest to a point; among equally near ones the lowest.
 class ClosestToPoint {

@@ -17,7 +17,7 @@ namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
-// What the descent asks of a posed tree, and of a step.
+// The boxes and corners that the descent reads, of a posed tree and of a step.
 
 FieldBox box_of(const float (&low)[4], const float (&high)[4]) {
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};

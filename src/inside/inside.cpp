@@ -34,8 +34,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <span>
 
 namespace pelt {
 namespace {

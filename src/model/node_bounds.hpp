@@ -226,7 +226,7 @@ struct JointPair {
   std::uint32_t first = 0;  ///< number of the link's first joint among those of the node's bound
 };
 
-/// What a node's bound adds with dual quaternion skinning.
+/// The addition to a node's bound with dual quaternion skinning.
 struct DualBound {
   std::uint32_t first_pair = 0;  ///< into joint_pairs
   std::uint32_t pair_count = 0;
@@ -245,7 +245,7 @@ struct NodeBounds {
   std::vector<std::uint32_t> displacement_begin;  // [bodies + 1]; empty if there are no targets
   std::vector<DisplacementBox> displacements;
 
-  // With dual quaternion skinning; otherwise empty.
+  // Empty without dual quaternion skinning.
   std::vector<DualBound> dual_bounds;  // [N]
   std::vector<JointPair> joint_pairs;
 

@@ -26,7 +26,8 @@ struct Surface {
   MadeOnce<WindingSpread> lazy_spread;  // see volume/surface_winding.hpp
 };
 
-/// Such triangles have no area in any pose. Closed surfaces ignore them.
+/// Whether two corners of a triangle are one vertex. Such a triangle has no area in any pose.
+/// Closed surfaces ignore it.
 inline bool has_repeated_vertex(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }

@@ -1,11 +1,12 @@
 #pragma once
 
-/// What exact tests know about two moving triangles at one instant: the signs of their polynomials,
+/// Two moving triangles at one instant, for exact tests: the signs of their polynomials,
 /// their corners as points for the templates of the triangle pair test (pair_by_signs.hpp), the
 /// instants at which they may first meet (moving_pair.cpp explains why), and their features then.
 
+#include <pelt/motion.hpp>
+
 #include "geometry/pair_by_signs.hpp"
-#include "motion/moving_pair.hpp"
 #include "motion/moving_polynomials.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which of several pairs of moving triangles meets first.
+/// Finds out which of several pairs of moving triangles meets first.
 
 #include <pelt/motion.hpp>
 

@@ -1,13 +1,11 @@
 #pragma once
 
-/// When and where two moving triangles first meet, in exact arithmetic.
+/// Computes when and where two moving triangles first meet, in exact arithmetic.
 
 #include <pelt/motion.hpp>
 
 #include "motion/moving_polynomials.hpp"
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 
 namespace pelt::detail {

@@ -3,7 +3,6 @@
 /// Pairs of moving triangles. They wait until there are eight, for the certified float test
 /// (moving_triage.hpp).
 
-#include <pelt/collide.hpp>
 #include <pelt/motion.hpp>
 
 #include "motion/moving_boxes.hpp"
@@ -158,7 +157,7 @@ inline TrianglePairs8 WaitingMovingPairs::corners8(const float* Side::*end) cons
 /// The pairs of triangles of a batch that may intersect until a time.
 class LanesUntil {
  public:
-  /// Of the pairs `asked`, leaves out those that certainly do not intersect until `latest`.
+  /// Drops the pairs of `asked` that certainly do not intersect until `latest`.
   LanesUntil(const MovingPairs8& corners, unsigned asked, float latest) {
     const TimeSpans8 times = times_of_boxes(corners);
     times.start.store(starts_);
@@ -177,8 +176,8 @@ class LanesUntil {
   float starts_[8];
 };
 
-/// Decides about waiting pairs of moving triangles, eight at a time. What the certified float test
-/// leaves undecided is decided one by one (moving_filter.hpp).
+/// Decides about waiting pairs of moving triangles, eight at a time. Pairs that the certified float
+/// test leaves undecided are decided one by one (moving_filter.hpp).
 ///
 /// `Pairs` holds the waiting pairs:
 ///   std::uint32_t count() const                    how many, at most eight

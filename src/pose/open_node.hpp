@@ -2,7 +2,7 @@
 
 /// Opens nodes: poses their vertices, and computes the boxes of their slots.
 
-#include <pelt/collide.hpp>
+#include <pelt/query.hpp>
 
 #include "base/instruction_set.hpp"
 #include "geometry/box4.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
-/// An instance of a model: what poses its vertices, and what queries have computed.
+/// An instance of a model: its palette or given vertices, and the boxes and nodes that queries have
+/// computed.
 
 #include <pelt/pose.hpp>
 
@@ -19,7 +20,8 @@ namespace pelt::detail {
 /// Validates the number of offsets. Returns an empty Problem if they are valid.
 Problem check_offsets(const Tree& tree, std::span<const Vec3> offsets);
 
-/// What poses the vertices of an instance, and what queries have computed from it.
+/// The palette or given vertices of an instance, and the boxes and nodes that queries have computed
+/// from them.
 struct Instance {
   /// The rest pose.
   explicit Instance(const Tree& tree) : palette(rest_palette(tree)) {}

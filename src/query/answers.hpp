@@ -1,6 +1,6 @@
 #pragma once
 
-/// What queries need to write their answers.
+/// Helpers with which queries write their answers.
 
 #include <pelt/query.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What searches by distance share: distances of boxes, eight at a time; a conservative float bound
+/// Shared by searches by distance: distances of boxes, eight at a time; a conservative float bound
 /// of a distance; parts of a tree; and slots of a node, nearest first.
 
 #include "base/float8.hpp"

@@ -5,8 +5,8 @@
 #include "base/arena.hpp"
 #include "query/stack.hpp"
 
-#include <pelt/collide.hpp>
 #include <pelt/motion.hpp>
+#include <pelt/query.hpp>
 #include <pelt/ray.hpp>
 
 #include <array>

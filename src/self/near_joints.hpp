@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which joints of a character are neighbours, and the zones in which its skin creases.
+/// Finds the joints of a character that are neighbours, and the zones in which its skin creases.
 
 #include <pelt/math.hpp>
 #include <pelt/mesh.hpp>

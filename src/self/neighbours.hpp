@@ -8,7 +8,6 @@
 #include "motion/moving_pair.hpp"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -61,9 +60,6 @@ struct MovingSurfaceTriangle {
 std::optional<FirstMeeting> first_meeting_of_neighbours(const MovingSurfaceTriangle& a,
                                                         const MovingSurfaceTriangle& b);
 
-// Decides about moving triangles that share a surface vertex one by one, in double where that is
-// certain, and counts the pairs of each stage.
-
 /// Whether two triangles of a moving surface certainly never intersect, as
 /// `first_meeting_of_neighbours` decides. Computes in double. Precondition: that of
 /// `first_meeting`.
@@ -98,8 +94,9 @@ struct SharedCorners {
   }
 };
 
-/// Tests two triangles of a moving surface that share a surface vertex, in double and then exactly.
-/// Returns their contact if they intersect and the options ask for it.
+/// Tests two triangles of a moving surface that share a surface vertex, in double and, where that
+/// is not certain, exactly. Counts the pairs of each stage. Returns the contact if the triangles
+/// intersect and the options do not leave it out.
 std::optional<MovingContact> decide_neighbours(const MovingSurfaceTriangle& a,
                                                const MovingSurfaceTriangle& b,
                                                const Contact& contact, const MovingOptions& options,

@@ -1,7 +1,6 @@
 #pragma once
 
-/// Which pairs of triangles a filter leaves out: by sets of pairs, by rings, and by main joints and
-/// zones.
+/// Filters of pairs of triangles: by sets of pairs, by rings, and by main joints and zones.
 
 #include <pelt/self_filter.hpp>
 
@@ -41,10 +40,8 @@ class PairSet {
   std::vector<std::uint64_t> pairs_;
 };
 
-// The filter of pairs of triangles by their main joints and zones.
-
-/// Triangles with the same body and the same zones are of one kind. A character has few kinds, so a
-/// triangle needs two bytes.
+/// A filter of pairs of triangles by their main joints and zones. Triangles with the same body and
+/// the same zones are of one kind. A character has few kinds, so a triangle needs two bytes.
 class JointFilter {
  public:
   /// Precondition: the options are valid for the model.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A filter of self-collision: what it knows of its model, and the sink that leaves out contacts.
+/// A filter of self-collision with the data of its model, and the sink that leaves out contacts.
 
 #include <pelt/motion.hpp>
 #include <pelt/self_filter.hpp>

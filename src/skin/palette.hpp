@@ -1,6 +1,6 @@
 #pragma once
 
-/// What moves the vertices of an instance: joints, morph weights and offsets.
+/// The joint palette, morph weights and offsets of an instance.
 
 #include <pelt/math.hpp>
 #include <pelt/result.hpp>

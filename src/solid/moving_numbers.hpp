@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <optional>
-#include <type_traits>
 
 namespace pelt::detail {
 

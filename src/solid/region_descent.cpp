@@ -18,7 +18,7 @@ namespace pelt::detail {
 inline namespace PELT_INSTRUCTION_SET {
 namespace {
 
-// What the descent asks of a posed tree, and of a step.
+// The boxes and corners that the descent reads, of a posed tree and of a step.
 
 Boxes8 root_boxes(const PosedTree& posed, QueryStats& work) {
   const RootBox& root = root_box(posed, work);
@@ -53,8 +53,8 @@ TriangleCorners corners_of(const Tree& tree, const OpenedNode& opened, std::uint
   return corners_at([&](std::size_t k) { return opened.positions + tree.corners[triangle][k]; });
 }
 
-/// What boxes say about up to 16 nodes, clusters or triangles, one bit each. Those that are neither
-/// taken nor undecided are left out.
+/// The result of testing the boxes of up to 16 nodes, clusters or triangles, one bit each. Boxes
+/// that are neither taken nor undecided are skipped.
 struct Verdict {
   unsigned at_start, later;  ///< taken: they touch the region at the start, or later in the step
   unsigned undecided;

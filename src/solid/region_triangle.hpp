@@ -31,8 +31,7 @@ TrianglePlace place_triangle(const TriangleCorners& triangle, std::span<const Fa
 /// with equal ends. Precondition: all numbers are finite, and the radius is not negative.
 TrianglePlace place_triangle(const TriangleCorners& triangle, const Capsule& capsule);
 
-// When a moving triangle first touches a region that stands still.
-
+/// The first time at which a moving triangle touches a region that stands still.
 struct FirstTouch {
   /// The largest float32 that is not above the exact first time.
   float time = 0;

@@ -14,14 +14,11 @@
 #include "exact/exact_number.hpp"
 #include "geometry/generic_ray.hpp"
 #include "geometry/triangle_pair.hpp"
-#include "model/triangle_places.hpp"
+#include "model/surface.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/scratch.hpp"
 #include "volume/generic_crossing.hpp"
-#include "volume/surface_winding.hpp"
 
-#include <array>
-#include <cstdint>
 #include <span>
 
 namespace pelt::detail {
@@ -50,7 +47,7 @@ inline Rounded flux_of(const TriangleCorners& t, const Vec3& origin) {
 /// Returns the flux of 1 through all triangles. Precondition: all nodes are open.
 Rounded surface_flux(const PosedTree& posed, const Vec3& origin);
 
-// What two crossing triangles contribute to the flux of w_b through the surface of a plus the flux
+// Two crossing triangles contribute to two fluxes: that of w_b through the surface of a, and that
 // of w_a through the surface of b.
 //
 // On a triangle (c, d, e) of a, w_b jumps across the segments in which triangles of b cross it,
@@ -69,40 +66,8 @@ Rounded surface_flux(const PosedTree& posed, const Vec3& origin);
 // runs in the opposite direction, so it contributes det(c, p, q) - det(c', p, q) to both. The term
 // with w_b(c) is added by winding_flux.
 
-/// Winding numbers of another surface around the vertices of one node. If the winding number around
-/// one vertex is known, it is known around all vertices that triangles of the node connect with it.
-class NodeWindings {
- public:
-  /// `turns`: ascending by place, for all triangles of the tree. Several turns of one triangle
-  /// add up.
-  NodeWindings(const Tree& tree, const Node& node, std::span<const WindingTurns> turns);
-
-  /// Whether the winding number around corner 0 of a triangle is known.
-  bool is_known(std::uint32_t place) const { return at(place) != kUnknown; }
-
-  /// The winding number around corner 0 of a triangle.
-  std::int32_t at(std::uint32_t place) const { return windings_[vertex(place, 0)]; }
-
-  /// Sets the winding number around corner 0 of a triangle, and all that follow from it.
-  void set(std::uint32_t place, std::int32_t winding);
-
- private:
-  static constexpr std::int32_t kUnknown = INT32_MIN;
-  static constexpr std::size_t kMaxTriangles = std::size_t{kMaxSlots} * kMaxClusterTriangles;
-
-  std::size_t vertex(std::uint32_t place, std::size_t corner) const {
-    return tree_.corners[place][corner] / kFloatsPerVertex;
-  }
-
-  bool spread(std::uint32_t place);
-
-  const Tree& tree_;
-  const Places places_;
-  std::array<std::array<std::int32_t, 3>, kMaxTriangles> turns_;  // from corner 0 to each corner
-  std::array<std::int32_t, 3 * kMaxTriangles> windings_;          // by vertex of the pool
-};
-
-/// How the crossing of two triangles contributes.
+/// The contribution of two crossing triangles to the sum of both fluxes, and the turns of the
+/// triangles.
 struct CrossingFlux {
   Rounded flux;
   WindingTurns turns_a, turns_b;

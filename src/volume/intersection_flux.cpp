@@ -3,6 +3,7 @@
 
 #include <pelt/solid.hpp>
 
+#include "model/triangle_places.hpp"
 #include "pose/open_node.hpp"
 #include "pose/pose.hpp"
 #include "query/find_triangle.hpp"
@@ -10,9 +11,46 @@
 #include "volume/flux.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace pelt::detail {
+namespace {
+
+/// Winding numbers of another surface around the vertices of one node. If the winding number around
+/// one vertex is known, it is known around all vertices that triangles of the node connect with it.
+class NodeWindings {
+ public:
+  /// `turns`: ascending by place, for all triangles of the tree. Several turns of one triangle
+  /// add up.
+  NodeWindings(const Tree& tree, const Node& node, std::span<const WindingTurns> turns);
+
+  /// Whether the winding number around corner 0 of a triangle is known.
+  bool is_known(std::uint32_t place) const { return at(place) != kUnknown; }
+
+  /// The winding number around corner 0 of a triangle.
+  std::int32_t at(std::uint32_t place) const { return windings_[vertex(place, 0)]; }
+
+  /// Sets the winding number around corner 0 of a triangle, and all that follow from it.
+  void set(std::uint32_t place, std::int32_t winding);
+
+ private:
+  static constexpr std::int32_t kUnknown = INT32_MIN;
+  static constexpr std::size_t kMaxTriangles = std::size_t{kMaxSlots} * kMaxClusterTriangles;
+
+  std::size_t vertex(std::uint32_t place, std::size_t corner) const {
+    return tree_.corners[place][corner] / kFloatsPerVertex;
+  }
+
+  bool spread(std::uint32_t place);
+
+  const Tree& tree_;
+  const Places places_;
+  std::array<std::array<std::int32_t, 3>, kMaxTriangles> turns_;  // from corner 0 to each corner
+  std::array<std::int32_t, 3 * kMaxTriangles> windings_;          // by vertex of the pool
+};
 
 NodeWindings::NodeWindings(const Tree& tree, const Node& node, std::span<const WindingTurns> turns)
     : tree_(tree), places_(places_of(tree, node)) {
@@ -52,9 +90,7 @@ bool NodeWindings::spread(std::uint32_t place) {
   return true;
 }
 
-namespace {
-
-/// One end of the segment.
+/// One end of the segment in which two triangles cross.
 class End {
  public:
   End(const Piercing& piercing, const TriangleCorners& a, const TriangleCorners& b)

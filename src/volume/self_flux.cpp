@@ -5,6 +5,7 @@
 #include "volume/flux.hpp"
 
 #include "model/surface.hpp"
+#include "model/triangle_places.hpp"
 #include "pose/posed_tree.hpp"
 #include "query/find_triangle.hpp"
 #include "query/scratch.hpp"

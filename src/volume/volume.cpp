@@ -13,6 +13,7 @@
 #include "volume/flux.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace pelt {

@@ -65,7 +65,7 @@ Result<void> check_outputs(const BenchArguments& arguments,
                            std::span<const output::NamedOutput> outputs,
                            std::vector<output::InputFile> inputs = {});
 
-/// What is measured of one scene.
+/// The figures of one scene.
 struct SceneReport {
   Row json;
   std::string text;

@@ -21,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -184,7 +185,7 @@ struct Skinning {
 /// The mean over the frames of the medians of the repetitions.
 Result<Skinning> measure_skinning(const Subject& subject, std::uint32_t repetitions);
 
-/// What is measured only if instances are queried against themselves.
+/// Measurements of instances that are queried against themselves.
 struct SelfFigures {
   /// The filters of the method self, which are those of `build_self_filter` without options: one
   /// for each model.

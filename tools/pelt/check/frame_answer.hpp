@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the queries of a check find in one frame. Answers do not depend on each other, so frames
-/// can be queried in any order, on any thread and in any process.
+/// The answers of a check for one frame and for one step. Answers do not depend on each other, so
+/// frames can be queried in any order, on any thread and in any process.
 
 #include <pelt/inside.hpp>
 #include <pelt/motion.hpp>
@@ -68,7 +68,7 @@ struct Deviation {
   std::uint32_t from = 0, to = 0;          ///< frames of the step
 };
 
-/// What the query of a step from one checked frame to the next finds.
+/// The answer for a step from one checked frame to the next.
 struct StepAnswer {
   std::uint32_t from = 0, to = 0;  ///< frames
   std::vector<FoundInStep> found;  ///< ascending by colliders and triangles, without duplicates

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What an option decides.
+/// The subject of an option.
 enum class Kind {
   list,      ///< which scenes are checked, one by one
   question,  ///< the answers of frames

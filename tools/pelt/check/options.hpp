@@ -63,7 +63,7 @@ void add_outcome_options(arguments::Verb& verb, CheckOptions& options);
 /// and of the machine, and the words of the command line.
 void copy_outcome(const CheckOptions& from, CheckOptions& to);
 
-/// What conflicts with options although no option says so.
+/// Names of conditions that conflict with options but are not options.
 inline constexpr const char* kShardsOfList = "shards of a list of scenes";
 inline constexpr const char* kIgnoredPairs =
     "ignored pairs, because the first contacts may be ignored ones";

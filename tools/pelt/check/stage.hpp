@@ -2,8 +2,6 @@
 
 /// A scene, made ready for a check.
 
-#include <pelt/surface.hpp>
-
 #include "scenes/ignored_pairs.hpp"
 #include "tools/pelt/check/settings.hpp"
 #include "tools/pelt/scene/self_filters.hpp"

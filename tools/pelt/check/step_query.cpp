@@ -1,7 +1,5 @@
 #include "tools/pelt/check/step_query.hpp"
 
-#include "scenes/takes.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>

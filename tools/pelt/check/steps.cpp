@@ -20,6 +20,25 @@ bool contains(const scene::FrameContacts& found, const FoundInStep& touch) {
   return std::binary_search(contacts.begin(), contacts.end(), touch.contact);
 }
 
+/// Returns the contacts of a step. `at_start` and `at_end` are the counted contacts of its frames.
+/// Pairs that touch at the start of a piece also touch in the piece before, or at the start of the
+/// step, so `step` and `at_start` have all contacts. O(n log n) in contacts.
+StepContacts contacts_of_step(const StepAnswer& step, const scene::FrameContacts& at_start,
+                              const scene::FrameContacts& at_end) {
+  StepContacts contacts;
+  contacts.from = step.from;
+  contacts.to = step.to;
+  contacts.contacts = at_start.contacts.size();
+  for (const FoundInStep& touch : step.found) {
+    if (contains(at_start, touch)) continue;
+    ++contacts.contacts;
+    if (contains(at_end, touch)) continue;
+    contacts.between.add(touch.a, touch.b, touch.contact);
+    contacts.firsts.push_back(touch.first);
+  }
+  return contacts;
+}
+
 FoundInStep earliest_of(const StepContacts& step) {
   const std::size_t index = step.earliest();
   for (const scene::FrameContacts::Pair& pair : step.between.pairs) {
@@ -35,22 +54,6 @@ std::size_t StepContacts::earliest() const {
       firsts.begin(), firsts.end(),
       [](const FirstTouch& x, const FirstTouch& y) { return x.seconds < y.seconds; });
   return static_cast<std::size_t>(first - firsts.begin());
-}
-
-StepContacts contacts_of_step(const StepAnswer& step, const scene::FrameContacts& at_start,
-                              const scene::FrameContacts& at_end) {
-  StepContacts contacts;
-  contacts.from = step.from;
-  contacts.to = step.to;
-  contacts.contacts = at_start.contacts.size();
-  for (const FoundInStep& touch : step.found) {
-    if (contains(at_start, touch)) continue;
-    ++contacts.contacts;
-    if (contains(at_end, touch)) continue;
-    contacts.between.add(touch.a, touch.b, touch.contact);
-    contacts.firsts.push_back(touch.first);
-  }
-  return contacts;
 }
 
 BetweenCheck::BetweenCheck(const scene::StagedScene& staged, std::uint32_t substeps,

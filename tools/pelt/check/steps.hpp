@@ -14,7 +14,8 @@ struct StepContacts {
   std::uint32_t from = 0, to = 0;  ///< frames
   std::uint64_t contacts = 0;      ///< pairs of triangles that touch at any time of the step
 
-  /// Those that touch between the frames and in neither frame, with triangle numbers of the assets.
+  /// Pairs of triangles that touch between the frames and in neither frame, with the numbers of the
+  /// assets.
   scene::FrameContacts between;
   std::vector<FirstTouch> firsts;  ///< of each contact of `between`
 
@@ -22,12 +23,6 @@ struct StepContacts {
   /// Precondition: there are contacts between the frames.
   std::size_t earliest() const;
 };
-
-/// Returns the contacts of a step. `at_start` and `at_end` are the counted contacts of its frames.
-/// Pairs that touch at the start of a piece also touch in the piece before, or at the start of the
-/// step, so `step` and `at_start` have all contacts. O(n log n) in contacts.
-StepContacts contacts_of_step(const StepAnswer& step, const scene::FrameContacts& at_start,
-                              const scene::FrameContacts& at_end);
 
 /// A step in which triangles touch between the frames and in neither frame.
 struct StepBetween {

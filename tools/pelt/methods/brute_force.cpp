@@ -40,7 +40,7 @@ Box box_of(std::span<const Vec3> points) {
   return box;
 }
 
-/// Without branches, because it runs for all pairs.
+/// Whether two boxes overlap. Has no branches, because it runs for all pairs.
 bool boxes_meet(const Box& a, const Box& b) {
   return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) &
          (b.low.y <= a.high.y) & (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
@@ -117,7 +117,27 @@ class Sweep {
 
 struct Nothing {};
 
-/// What both oracles have in common.
+/// A mesh whose vertices are all skinned for each palette.
+class BruteForceBody {
+ public:
+  explicit BruteForceBody(const SkinnedMesh& mesh) : mesh_(mesh), positions_(mesh.vertex_count()) {}
+
+  QueryStats update(const Palette& palette) {
+    detail::posed_vertices(mesh_, palette, positions_);
+    QueryStats work;
+    work.posed_vertices = positions_.size();
+    return work;
+  }
+
+  std::span<const Triangle> triangles() const { return mesh_.triangles; }
+  std::span<const Vec3> positions() const { return positions_; }
+
+ private:
+  const SkinnedMesh& mesh_;
+  std::vector<Vec3> positions_;
+};
+
+/// The members that the traits of both oracles share.
 struct SkinnedTraits {
   using Scratch = Nothing;
   static constexpr bool kUpdateCounts = true;
@@ -166,16 +186,6 @@ struct SelfBruteTraits : SkinnedTraits {
 };
 
 }  // namespace
-
-BruteForceBody::BruteForceBody(const detail::SkinnedMesh& mesh)
-    : mesh_(mesh), positions_(mesh.vertex_count()) {}
-
-QueryStats BruteForceBody::update(const detail::Palette& palette) {
-  detail::posed_vertices(mesh_, palette, positions_);
-  QueryStats work;
-  work.posed_vertices = positions_.size();
-  return work;
-}
 
 QueryStats brute_force_collide(std::span<const Triangle> triangles_a,
                                std::span<const Vec3> positions_a,

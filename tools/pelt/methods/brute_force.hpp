@@ -4,30 +4,16 @@
 /// body, with the exact predicate. They use no tree, and only skip triangles outside the other
 /// body's box, and pairs whose boxes do not overlap.
 
-#include "skin/palette.hpp"
+#include <pelt/mesh.hpp>
+#include <pelt/query.hpp>
+
 #include "skin/skinned_mesh.hpp"
 
-#include <pelt/collide.hpp>
-
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace pelt::methods {
-
-class BruteForceBody {
- public:
-  explicit BruteForceBody(const detail::SkinnedMesh& mesh);
-
-  /// Skins all vertices.
-  QueryStats update(const detail::Palette& palette);
-
-  std::span<const Triangle> triangles() const { return mesh_.triangles; }
-  std::span<const Vec3> positions() const { return positions_; }
-
- private:
-  const detail::SkinnedMesh& mesh_;
-  std::vector<Vec3> positions_;
-};
 
 /// Appends the contacts of two posed meshes, ascending.
 QueryStats brute_force_collide(std::span<const Triangle> triangles_a,

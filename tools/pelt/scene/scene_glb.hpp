@@ -19,7 +19,6 @@
 
 namespace pelt::tools::scene {
 
-/// A .glb file: meshes without skins or textures, each on its own root node.
 struct GlbMaterial {
   std::string name;
   std::array<float, 3> base_colour = {1, 1, 1};  ///< linear
@@ -38,7 +37,8 @@ struct GlbMesh {
   std::vector<GlbPrimitive> primitives;
 };
 
-/// Returns a binary glTF 2.0 file; node i has mesh i and no transform.
+/// Returns a binary glTF 2.0 file of meshes without skins or textures. Node i is a root node with
+/// mesh i and no transform.
 std::vector<std::byte> make_glb(std::span<const GlbMesh> meshes,
                                 std::span<const GlbMaterial> materials);
 

@@ -41,7 +41,7 @@ struct SelfFilters {
                                   Scratch& scratch, FrameContacts& found) const;
 };
 
-/// Which colliders are tested against each other and against themselves.
+/// Selects the colliders to test against each other and against themselves.
 struct SelfTests {
   bool pairs = true;                   ///< colliders against each other
   std::optional<SelfFilters> filters;  ///< if set, also each collider against itself

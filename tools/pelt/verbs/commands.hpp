@@ -9,7 +9,7 @@
 
 namespace pelt::tools::verbs {
 
-/// With all verbs.
+/// The program with all verbs.
 extern const arguments::Program kPelt;
 
 void add_check(CLI::App& app, arguments::Command& chosen, methods::MethodKinds known_methods);
