@@ -162,7 +162,6 @@ namespace {
 
 using text::counted;
 using tools::bench::find_row;
-using tools::bench::Row;
 using tools::bench::Yardstick;
 
 constexpr int kKey = 13, kNumber = 10, kMark = 7;

@@ -38,10 +38,10 @@ struct FiguresFormat {
   std::vector<Field> scene, method;
 };
 
-/// What `pelt bench` and `pelt-lab bench` write.
+/// The format of `pelt bench` and `pelt-lab bench`.
 extern const FiguresFormat kFramesFormat;
 
-/// What `pelt-lab bench --moving` writes.
+/// The format of `pelt-lab bench --moving`.
 extern const FiguresFormat kStepsFormat;
 
 struct Baseline {

@@ -179,7 +179,7 @@ Result<Settings> choose_settings(const LabArguments& lab, const Kinds& kinds,
   return settings;
 }
 
-/// What `measure` returns of a scene, printed by `print` and as JSON.
+/// The report of a scene from its figures: text by `print`, and JSON.
 template <typename Figures, typename Print>
 Result<std::optional<bench::SceneReport>> report_of(const Result<std::optional<Figures>>& figures,
                                                     const Print& print) {

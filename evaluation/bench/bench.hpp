@@ -15,7 +15,7 @@ class App;
 
 namespace pelt::lab {
 
-/// What --against compares without a mode, and with --moving.
+/// The figures that --against compares: without a mode, and with --moving.
 extern const ComparedFigures kComparedFrames, kComparedSteps;
 
 /// Before each measurement, reads 64 MB on each thread of the method. At most 30 frames are

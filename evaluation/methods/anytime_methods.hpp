@@ -10,11 +10,10 @@
 #include <memory>
 #include <span>
 #include <string_view>
-#include <vector>
 
 namespace pelt::lab {
 
-/// What a search knows about two bodies.
+/// The knowledge of a search about two bodies.
 struct Known {
   std::uint64_t contacts = 0;         ///< found so far
   std::uint64_t undecided_pairs = 0;  ///< of triangles

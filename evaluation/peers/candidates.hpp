@@ -1,8 +1,7 @@
 #pragma once
 
-/// Pelt's narrow phase, for libraries that expose their candidates.
-///
-/// Pelt's narrow phase for a body against itself, for libraries that expose their candidates.
+/// Pelt's narrow phase for two bodies, and for a body against itself, for libraries that expose
+/// their candidates.
 
 #include <pelt/collide.hpp>
 
@@ -99,7 +98,7 @@ class Neighbours {
   std::vector<std::array<std::uint32_t, 3>> corners_;
 };
 
-/// What happens to pairs of triangles that share a surface vertex, and therefore always touch.
+/// The treatment of pairs of triangles that share a surface vertex, and therefore always touch.
 enum class OfNeighbours {
   decided,   ///< by the rule of self_collide
   left_out,  ///< their contacts are missing

@@ -189,17 +189,22 @@ Picture ray_picture() {
 
 namespace {
 
+/// A scene of the instances of two creatures, "a" and "b".
+std::string two_creatures(std::string_view instances) {
+  return R"({
+  "models": {"a": {"creature": {"triangles": 24000, "joints": 56, "seed": 1}},
+             "b": {"creature": {"triangles": 24000, "joints": 56, "seed": 2}}},
+  "instances": [)" +
+         std::string(instances) + "]}";
+}
+
 // Two creatures with the segment between their closest points, and a point with its closest
 // surface point.
 
-constexpr std::string_view kDistanceScene = R"({
-  "models": {"a": {"creature": {"triangles": 24000, "joints": 56, "seed": 1}},
-             "b": {"creature": {"triangles": 24000, "joints": 56, "seed": 2}}},
-  "instances": [
+constexpr std::string_view kDistanceInstances = R"(
     {"model": "a", "clip": "walk", "start": 0.25, "translation": [0, 0, -0.8]},
     {"model": "b", "clip": "walk", "start": 0.75, "translation": [0.15, 0, 0.8],
-     "rotation": [0, 1, 0, 0]}
-  ]})";
+     "rotation": [0, 1, 0, 0]})";
 
 /// A segment between two points, with a dot at each end.
 std::string between(const Vec3d& from, const Vec3d& to) {
@@ -210,7 +215,7 @@ std::string between(const Vec3d& from, const Vec3d& to) {
 }  // namespace
 
 Picture distance_picture() {
-  Cast cast(kDistanceScene, 0);
+  Cast cast(two_creatures(kDistanceInstances), 0);
   Actor &a = cast.actors[0], &b = cast.actors[1];
   Scratch scratch;
   Distance between_them;
@@ -231,14 +236,10 @@ namespace {
 
 // The curves in which two creatures intersect, and the normal of each patch.
 
-constexpr std::string_view kContactScene = R"({
-  "models": {"a": {"creature": {"triangles": 24000, "joints": 56, "seed": 1}},
-             "b": {"creature": {"triangles": 24000, "joints": 56, "seed": 2}}},
-  "instances": [
+constexpr std::string_view kContactInstances = R"(
     {"model": "a", "clip": "walk", "start": 1.3, "translation": [-0.1, 0, -0.19]},
     {"model": "b", "clip": "walk", "start": 1.95, "translation": [0.1, 0, 0.19],
-     "rotation": [0, 1, 0, 0]}
-  ]})";
+     "rotation": [0, 1, 0, 0]})";
 
 std::string curves(const ContactGeometry& geometry) {
   std::string text;
@@ -253,7 +254,7 @@ std::string curves(const ContactGeometry& geometry) {
 }  // namespace
 
 Picture contact_picture() {
-  Cast cast(kContactScene, 0);
+  Cast cast(two_creatures(kContactInstances), 0);
   Actor &a = cast.actors[0], &b = cast.actors[1];
   Scratch scratch;
   std::vector<Contact> contacts;
@@ -343,18 +344,14 @@ namespace {
 // The vertex of one creature that is deepest in another, and the segment to the nearest surface
 // point.
 
-constexpr std::string_view kInsideScene = R"({
-  "models": {"a": {"creature": {"triangles": 24000, "joints": 56, "seed": 1}},
-             "b": {"creature": {"triangles": 24000, "joints": 56, "seed": 2}}},
-  "instances": [
+constexpr std::string_view kInsideInstances = R"(
     {"model": "a", "clip": "walk", "start": 0.3, "translation": [0.05, 0, -0.32]},
-    {"model": "b", "clip": "idle", "translation": [0, 0, 0.22], "rotation": [0, 1, 0, 0]}
-  ]})";
+    {"model": "b", "clip": "idle", "translation": [0, 0, 0.22], "rotation": [0, 1, 0, 0]})";
 
 }  // namespace
 
 Picture inside_picture() {
-  Cast cast(kInsideScene, 0);
+  Cast cast(two_creatures(kInsideInstances), 0);
   Actor &a = cast.actors[0], &b = cast.actors[1];
   Scratch scratch;
   Penetration deepest;

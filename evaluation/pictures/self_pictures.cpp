@@ -7,7 +7,6 @@
 #include "tools/pelt/scene/scene_query.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -11,7 +11,6 @@
 #include <pelt/solid.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iomanip>
 #include <iostream>

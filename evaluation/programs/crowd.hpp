@@ -1,9 +1,8 @@
 #pragma once
 
-/// Times the frames of a crowd. A frame consists of setting all palettes and finding all contacts,
-/// both with the same number of threads. Sampling the clips is not timed.
-///
-/// A crowd of any size of one character that walks on a plain, for measuring.
+/// Crowds for measuring: a crowd of any size of one character that walks on a plain, and the times
+/// of its frames. A frame consists of setting all palettes and finding all contacts, both with the
+/// same number of threads. Sampling the clips is not timed.
 
 #include <pelt/crowd.hpp>
 #include <pelt/model.hpp>

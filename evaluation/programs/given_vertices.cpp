@@ -16,7 +16,6 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <string>
 
 namespace pelt::programs {
 namespace {

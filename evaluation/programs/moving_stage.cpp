@@ -15,7 +15,6 @@ namespace {
 using detail::CertainAnswer;
 using detail::kBatch;
 using detail::MovingPairs8;
-using detail::Points8;
 
 PaddedCorners padded(const detail::TriangleCorners& corners) {
   PaddedCorners result;

@@ -8,7 +8,6 @@
 #include "query/scratch.hpp"
 
 #include <array>
-#include <cstddef>
 #include <span>
 
 namespace pelt::programs {

@@ -5,13 +5,10 @@
 #include "evaluation/methods/lab_methods.hpp"
 #include "evaluation/reproduce/report.hpp"
 #include "evaluation/reproduce/scene_figures.hpp"
-#include "evaluation/rivals/posed_mesh_method.hpp"
 #include "scenes/scene.hpp"
 
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>

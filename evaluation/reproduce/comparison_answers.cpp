@@ -87,7 +87,7 @@ class Sweep {
     return s && f ? std::optional(*s / *f) : std::nullopt;
   }
 
-  /// Which of two methods is faster, and in which rows.
+  /// States which of two methods is faster, and in which rows.
   std::string duel(MethodKind a, MethodKind b) const {
     std::vector<std::size_t> lost;
     double most_won = 0, most_lost = 0;

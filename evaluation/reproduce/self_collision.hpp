@@ -9,7 +9,6 @@
 #include "scenes/scene.hpp"
 
 #include <span>
-#include <vector>
 
 namespace pelt::reproduce {
 

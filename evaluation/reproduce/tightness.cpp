@@ -13,7 +13,6 @@
 #include "skin/skin.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pelt::reproduce {
 namespace {

@@ -8,7 +8,6 @@
 namespace pelt::reproduce {
 namespace {
 
-using methods::MethodKind;
 using tools::bench::Question;
 
 constexpr std::array kWalking = {methods::kPaper, lab::kPaperEager, methods::kEager,

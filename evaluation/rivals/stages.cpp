@@ -113,7 +113,7 @@ struct OverlapOfUnions {
   }
 };
 
-/// As the query of the library, but with boxes over the whole step.
+/// The query of the library with boxes over the whole step.
 class IntersectingUnited : public detail::MovingOverlap {
  public:
   IntersectingUnited(const detail::Tree& a, const detail::Tree& b,

@@ -42,8 +42,8 @@ using DescendSelf = std::uint64_t(const detail::PosedTree& posed, const detail::
 using BoxAllTriangles = void(const detail::PosedTree& posed, const detail::PairMasks& masks,
                              detail::Scratch& scratch);
 
-/// As detail::collide_moving_trees, an ablation: each node, cluster and triangle has one box for
-/// the whole step, which encloses its boxes at both ends.
+/// An ablation of detail::collide_moving_trees: each node, cluster and triangle has one box for the
+/// whole step, which encloses its boxes at both ends.
 using CollideUnited = MovingStats(const detail::MovingTree& a, const detail::MovingTree& b,
                                   detail::Scratch& scratch, const MovingOptions& options);
 
