@@ -8,7 +8,6 @@ namespace pelt::asset {
 namespace {
 
 using test::GltfBuilder;
-using test::json;
 using test::refused;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();

@@ -17,6 +17,12 @@ namespace fs = std::filesystem;
 using test::GltfBuilder;
 using test::refused;
 
+/// A path for the files of the running test.
+fs::path folder_of_test(const std::string& topic) {
+  return fs::path(::testing::TempDir()) /
+         ("pelt-" + topic + "-" + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+}
+
 /// A folder with a .gltf file and its buffer.
 class BesideFiles : public ::testing::Test {
  protected:
@@ -34,9 +40,7 @@ class BesideFiles : public ::testing::Test {
     return load_gltf(folder_ / "model.gltf");
   }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) /
-                     (std::string("pelt-buffers-") +
-                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::path folder_ = folder_of_test("buffers");
 };
 
 TEST_F(BesideFiles, AreRead) {
@@ -162,8 +166,6 @@ TEST(Budget, AllowsAnyNumberOfValuesInATextWhereAddressesHave64Bits) {
   EXPECT_TRUE(parse_json(text + "]"));
 }
 
-namespace fs = std::filesystem;
-
 std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -207,9 +209,7 @@ class FileUri : public ::testing::Test {
                 : "refused: " + path.error().message;
   }
 
-  fs::path outer_ =
-      fs::path(::testing::TempDir()) /
-      (std::string("pelt-uri-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::path outer_ = folder_of_test("uri");
   fs::path folder_ = outer_ / "model";
 };
 

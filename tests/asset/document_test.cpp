@@ -219,8 +219,6 @@ TEST(Document, RefusesSetsOfInfluencesWithGaps) {
   EXPECT_TRUE(refused(builder.load(), {"attributes.JOINTS_0: is missing"}));
 }
 
-using nlohmann::json;
-
 TEST(ParsedJson, IsTheTreeOfTheParser) {
   for (const std::string text :
        {"null", "true", "-7", "18446744073709551615", "0.25", R"("a\u00e9\n")", "[]", "{}",
@@ -254,8 +252,6 @@ TEST(ParsedJson, RefusesWhatIsNotWhole) {
 
 using test::append;
 using test::append_u32;
-using test::make_glb;
-using test::refused;
 
 Result<Asset> load(const std::vector<std::byte>& file) { return load_gltf(file, {}); }
 

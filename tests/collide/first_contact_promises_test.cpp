@@ -1,4 +1,4 @@
-/// What a search for the first contact promises after any amount of work, against brute force.
+/// The promises of a search for the first contact after any amount of work, against brute force.
 
 #include <pelt/search.hpp>
 

@@ -1,4 +1,4 @@
-/// What a search promises after any amount of work, against brute force.
+/// The promises of a search after any amount of work, against brute force.
 
 #include <pelt/distance.hpp>
 #include <pelt/search.hpp>

@@ -14,7 +14,6 @@ using test::make_hills;
 using test::make_plain;
 using test::Random;
 using test::Shape;
-using test::Terrain;
 using test::Weights;
 
 std::vector<Vec3> posed(const Pose& pose) {

@@ -6,7 +6,6 @@
 #include <pelt/crowd.hpp>
 
 #include <algorithm>
-#include <optional>
 
 namespace pelt::test {
 namespace {

@@ -39,7 +39,7 @@ class FuzzBytes {
   std::size_t next_ = 0;
 };
 
-/// What puts the vertices of a body where they are.
+/// How the vertices of a body are posed.
 enum class Posing : std::uint8_t {
   joints,
   offsets,  ///< joints, and offsets from the bytes

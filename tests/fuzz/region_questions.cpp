@@ -11,7 +11,6 @@
 #include "support/values.hpp"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 #include <variant>
 #include <vector>

@@ -51,7 +51,7 @@ std::optional<SteppingBody> make_step(FuzzBytes& bytes) {
   return step;
 }
 
-/// What the queries should find.
+/// The expected answers.
 struct Expected {
   std::vector<MovingContact> contacts;
   std::optional<MovingContact> first;

@@ -15,10 +15,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 #include <ostream>
 #include <string>
-#include <tuple>
 
 namespace pelt::test {
 namespace {

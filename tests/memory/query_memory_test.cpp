@@ -1,5 +1,5 @@
-/// Allocation failures while models and operands are made, and in queries with several lists. Other
-/// queries are in query_contract_memory_test.cpp.
+/// Allocation failures while models and operands are made, in queries with several lists, and in
+/// each row of the table in support/contract.
 
 #include <pelt/pelt.hpp>
 

@@ -14,7 +14,6 @@
 namespace pelt::detail {
 namespace {
 
-using test::Motion;
 using test::Random;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -182,7 +181,7 @@ bool is_finite(const Box4& box) {
   return true;
 }
 
-/// Sets fits of each joint up to the limit `q` of check_node_bounds.hpp, in a mesh of this extent.
+/// Sets fits of each joint up to the limit `q` of check_node_bounds.cpp, in a mesh of this extent.
 void forge(Random& random, double extent, double q, Model& model) {
   model.tree.rest_extent = static_cast<float>(extent);
   for (float& morph_extent : model.tree.morphs.extents) morph_extent = model.tree.rest_extent;

@@ -6,7 +6,6 @@
 namespace pelt {
 namespace {
 
-using detail::DisplacementBox;
 using detail::Palette;
 using test::Bounded;
 using test::Morphing;

@@ -12,14 +12,12 @@
 namespace pelt {
 namespace {
 
-using detail::BoundKind;
 using detail::NodeBounds;
 using detail::Palette;
 using detail::SkinnedMesh;
 using detail::Tree;
 using test::Bounded;
 using test::box_around;
-using test::encloses;
 using test::expect_enclosed;
 using test::expect_enclosed_in_all_poses;
 using test::Motion;

@@ -1,4 +1,5 @@
-/// The reader of collections of queries, on small folders in the layouts of public collections.
+/// Queries with known answers: tests their reader on small folders in the layouts of public
+/// collections, and the tests of moving triangles on the collections themselves.
 
 #include "exact/gmp_integers.hpp"
 #include "motion/ccd_queries.hpp"
@@ -247,7 +248,6 @@ TEST_F(CcdQueries, AreRefusedWithoutAFileOrAKind) {
 // The exact test of moving triangles, and the independent one of the tests, against queries whose
 // answers others computed symbolically: all CSV files below PELT_SHARED_DIR/ccd.
 
-namespace fs = std::filesystem;
 using detail::FirstMeeting;
 
 std::vector<fs::path> csv_files_below(const fs::path& folder) {

@@ -10,7 +10,6 @@
 
 #include <cstdlib>
 #include <optional>
-#include <ostream>
 
 namespace pelt::test {
 namespace {

@@ -13,13 +13,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <ostream>
 #include <string>
-#include <tuple>
 
 namespace pelt::test {
 namespace {

@@ -1,4 +1,4 @@
-/// What every query promises, asserted for each row of the table in support/contract.
+/// The promises of every query, asserted for each row of the table in support/contract.
 
 #include "support/allocation_count.hpp"
 #include "support/contract/query.hpp"
@@ -242,7 +242,7 @@ TEST_P(EachQueryWithThreads, AnswersTheSameByTheSameWorkOnAnyNumberOfThreads) {
   expect_hits();
 }
 
-/// What one query opens, all use.
+/// Nodes that one query opens are used by all queries.
 TEST(Queries, ChangeNoAnswerOfOthers) {
   Random random(11000);
   std::size_t answers = 0;

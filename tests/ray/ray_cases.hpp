@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <span>
-#include <vector>
 
 namespace pelt::test {
 

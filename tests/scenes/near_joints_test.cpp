@@ -2,8 +2,6 @@
 
 #include <pelt/pelt.hpp>
 
-#include "scenes/triangle_labels.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <limits>
 #include <span>
-#include <string>
 
 namespace pelt::test {
 namespace {

@@ -92,8 +92,8 @@ Shape make_congruent_pairs(Random& random, std::uint32_t pairs) {
   return shape;
 }
 
-/// Of several pairs of features that meet at once, which one is reported depends on the order of
-/// the two triangles. It must not depend on their places in the tree.
+/// If several pairs of features meet at once, the order of the two triangles decides which pair is
+/// reported. The places of the triangles in the tree must not matter.
 TEST(SelfCollideMoving, NamesFeaturesFromTheLowerTriangle) {
   Random random(1843);
   SelfBody body(make_congruent_pairs(random, 60));

@@ -42,7 +42,7 @@ float on_all_scales(Random& random) {
   return random.chance(0.2) ? 0.0f : std::ldexp(fraction, exponent);
 }
 
-/// As many bits as a coordinate can have.
+/// A coordinate with as many bits as possible.
 float on_extreme_scales(Random& random) {
   const float fraction = random.uniformf(-1, 1);
   return std::ldexp(fraction, random.chance(0.5) ? -125 - static_cast<int>(random.index(24)) : 60);
@@ -126,7 +126,7 @@ struct Counts {
   }
 };
 
-/// What is certain in double is true.
+/// Expects that answers which are certain in double equal the exact answer.
 template <typename AnyRegion>
 void expect_certain(const MovingTriangle& triangle, const AnyRegion& region,
                     const std::optional<FirstTouch>& expected, Counts& counts) {

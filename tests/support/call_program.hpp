@@ -19,7 +19,7 @@ class RedirectedStream {
   RedirectedStream& operator=(const RedirectedStream&) = delete;
   ~RedirectedStream();
 
-  /// What was written so far.
+  /// The text written so far.
   std::string text() const;
 
  private:

@@ -6,7 +6,6 @@
 #include <pelt/pose.hpp>
 
 #include <cmath>
-#include <string>
 
 namespace pelt::test {
 namespace {

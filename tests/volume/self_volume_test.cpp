@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string>
 #include <thread>
 #include <vector>
 

@@ -149,8 +149,6 @@ TEST(BenchBaseline, MustExist) {
   EXPECT_NE(baseline.error().message.find("--json"), std::string::npos);
 }
 
-using namespace tools::bench;
-
 Figures figures_of(const std::string& method, double mean_us, Question question = Question::all,
                    const std::string& cache = "hot") {
   Figures figures;

@@ -35,7 +35,8 @@ struct Stage {
   std::span<const Peer> peers;
   std::unique_ptr<rivals::PosedMeshMethod> (*make)(std::string_view name);
 
-  /// What a peer may miss or invent if it is said to find fewer contacts, as shares of all.
+  /// The largest shares of contacts that a peer may miss and invent if `Peer::answers` says that it
+  /// finds fewer contacts.
   double most_missing, most_extra;
 
   std::vector<std::vector<Triangle>> triangles = {};  ///< by body

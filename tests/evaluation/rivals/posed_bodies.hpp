@@ -8,7 +8,6 @@
 #include <pelt/collide.hpp>
 #include <pelt/mesh.hpp>
 
-#include <span>
 #include <vector>
 
 namespace pelt::test {

@@ -7,7 +7,6 @@
 
 #include <pelt/model.hpp>
 
-#include <cmath>
 #include <utility>
 
 namespace pelt::contract {

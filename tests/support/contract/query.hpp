@@ -134,7 +134,7 @@ std::vector<double> readable(const Answer& answer) {
 
 inline constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max();
 
-/// What a query has besides an answer.
+/// Properties of a query besides its answer.
 struct Traits {
   bool is_costly = false;      ///< is tested with fewer cases
   bool is_limited = false;     ///< has an option that limits the length of its list
@@ -150,7 +150,7 @@ struct Traits {
   bool depends_on_skinning = false;
 };
 
-/// What happens to a stage before a query is asked. Nothing by default.
+/// Prepares a stage before a query is asked. Does nothing by default.
 struct Preparation {
   /// Whether the stage fulfils the preconditions.
   std::function<bool(const Stage&)> applies = [](const Stage&) { return true; };

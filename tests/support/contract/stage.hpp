@@ -22,7 +22,7 @@ using test::Shape;
 
 using Triangles = std::vector<detail::TriangleCorners>;
 
-/// What a program sets on a pose, or on an instance of a crowd.
+/// The input that a program sets on a pose, or on an instance of a crowd.
 struct PoseInput {
   std::vector<Matrix4> palette = {};
   std::vector<float> dual_quaternions = {};  ///< instead of the palette, unless empty
@@ -107,7 +107,7 @@ struct Stage {
   Body a, b;
   Scratch scratch;
 
-  // What a program makes once for its models. Queries of one body are asked of `a`.
+  // Objects that a program makes once for its models. Queries of one body are asked of `a`.
   SelfFilter filter, filter_b;  ///< in some cases, these leave out pairs
   VertexGroups groups;
 
@@ -121,7 +121,7 @@ struct Stage {
   Solid solid;
   HeightField field;
 
-  // What a query keeps from call to call.
+  // State of a query between calls.
   std::optional<CollisionSearch> search;
   std::optional<FirstContactSearch> first_contact_search;
   std::optional<SelfTracker> tracker;

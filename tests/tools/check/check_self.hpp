@@ -5,9 +5,6 @@
 #include "support/gltf_builder.hpp"
 #include "tools/answer.hpp"
 
-#include <string>
-#include <vector>
-
 namespace pelt::test {
 
 /// The contacts of instance `a` with instance `b` in a frame's line.

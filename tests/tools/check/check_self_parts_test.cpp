@@ -51,8 +51,8 @@ void write_dressed_curl(const TestFolder& folder) {
   write_bytes(folder / "dressed.glb", builder.glb());
 }
 
-/// Which of the contacts of all frames the filters drop, straight from the definitions. Triangles
-/// that share a corner are never in two parts of this character.
+/// The contacts of all frames that the filters drop, straight from the definitions. Triangles that
+/// share a corner are never in two parts of this character.
 struct DroppedPairs {
   std::set<TrianglePair> at_rest, always;
 
