@@ -3,6 +3,7 @@
 #include <pelt/pelt.hpp>
 
 #include "base/hash.hpp"
+#include "support/sanitized.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,17 +19,7 @@ namespace {
 
 using asset::Asset;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint32_t kLargest = 200000;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr std::uint32_t kLargest = 200000;
-#else
-constexpr std::uint32_t kLargest = 1000000;
-#endif
-#else
-constexpr std::uint32_t kLargest = 1000000;
-#endif
+constexpr std::uint32_t kLargest = test::kIsSanitized ? 200000 : 1000000;
 
 Asset make(const CreatureOptions& options) {
   Result<Asset> asset = make_creature(options);
