@@ -3,7 +3,6 @@
 #include "support/allocation_count.hpp"
 #include "support/contract/query.hpp"
 #include "support/instruction_sets.hpp"
-#include "support/sanitized.hpp"
 
 #include "exact/predicates.hpp"
 
@@ -30,12 +29,11 @@ class EachQuery : public testing::TestWithParam<std::size_t> {
  protected:
   Query& query() const { return *queries()[GetParam()]; }
 
-  /// Calls `test(stage)` for bodies of each kind, `rounds` times: near, less near, apart. Once with
-  /// sanitizers, because a round uses memory like the others.
+  /// Calls `test(stage)` for bodies of each kind, `rounds` times: near, less near, apart.
   template <typename Test>
   void on_all_kinds(std::uint64_t seed, int rounds, const Test& test) {
     const bool is_sampled = query().traits.is_costly && rounds < 3;  // every second kind
-    if (query().traits.is_costly || test::kIsSanitized) rounds = 1;
+    if (query().traits.is_costly) rounds = 1;
     const std::span<const Kind> all = kinds();
     constexpr double kDistances[] = {0.15, 0.6, 3};
     Random random(seed + GetParam());
