@@ -3,7 +3,7 @@
 #include <pelt/pelt.hpp>
 
 #include "base/hash.hpp"
-#include "support/sanitized.hpp"
+#include "support/sanitizers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using asset::Asset;
 
-constexpr std::uint32_t kLargest = test::kIsSanitized ? 200000 : 1000000;
+constexpr std::uint32_t kLargest = test::kHasSanitizer ? 200000 : 1000000;
 
 Asset make(const CreatureOptions& options) {
   Result<Asset> asset = make_creature(options);
