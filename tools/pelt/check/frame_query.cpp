@@ -5,7 +5,7 @@
 #include <pelt/self.hpp>
 
 #include "text/message.hpp"
-#include "tools/pelt/check/jsonl.hpp"
+#include "tools/pelt/check/frame_line.hpp"
 #include "tools/pelt/scene/summary_lines.hpp"
 
 #include <algorithm>

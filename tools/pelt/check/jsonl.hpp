@@ -2,8 +2,6 @@
 
 /// Output of `pelt check --jsonl`: a header, a line per frame, the totals.
 
-#include <pelt/surface.hpp>
-
 #include "tools/pelt/check/stage.hpp"
 #include "tools/pelt/check/verdict.hpp"
 
@@ -14,11 +12,6 @@
 #include <string>
 
 namespace pelt::tools::check {
-
-/// Returns the line of a frame without its end. `geometry` describes the contacts of each pair of
-/// the frame, unless empty.
-std::string frame_line(const Stage& stage, const FrameAnswer& answer,
-                       std::span<const ContactGeometry> geometry);
 
 /// Writes the lines of a check, or nothing if there is no stream.
 class JsonlWriter {
