@@ -1,4 +1,4 @@
-/// Crowds of three instances: both bodies, and the first one moving backwards.
+/// Crowds of three instances: both bodies, and the first one at rest where it begins.
 
 #include "collide/moving_brute_force.hpp"
 #include "self/self_brute_force.hpp"
@@ -18,16 +18,16 @@ std::array<Instance, 3> instances_of(const Stage& stage) {
   const auto& [a, b] = std::tie(stage.a, stage.b);
   return {Instance{a.shape, a.from, a.to, stage.filter},
           {b.shape, b.from, b.to, stage.filter_b},
-          {a.shape, a.to, a.from, stage.filter}};
+          {a.shape, a.from, a.from, stage.filter}};
 }
 
-/// Moves the instances back and forth.
+/// Moves the instances back and forth, but for the last one.
 void make_crowd(Stage& stage) {
   Crowd& crowd = stage.crowd.emplace();
   const std::pair<const PoseInput&, const PoseInput&> steps[] = {
       {stage.a.from_input, stage.a.to_input},
       {stage.b.from_input, stage.b.to_input},
-      {stage.a.to_input, stage.a.from_input}};
+      {stage.a.from_input, stage.a.from_input}};
   for (const Body* body : {&stage.a, &stage.b, &stage.a}) crowd.add(body->to.model());
   std::vector<CrowdContact> ignored;
   for (std::uint32_t i = 0; i < 3; ++i) apply(steps[i].second, crowd, i);
