@@ -21,7 +21,7 @@ std::array<Instance, 3> instances_of(const Stage& stage) {
           {a.shape, a.from, a.from, stage.filter}};
 }
 
-/// Moves the instances back and forth, but for the last one.
+/// Moves the first two instances back and forth.
 void make_crowd(Stage& stage) {
   Crowd& crowd = stage.crowd.emplace();
   const std::pair<const PoseInput&, const PoseInput&> steps[] = {

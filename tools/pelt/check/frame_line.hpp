@@ -16,12 +16,12 @@
 
 namespace pelt::tools::check {
 
-/// Returns the line of a frame without its end. `geometry` describes the contacts of each pair of
-/// the frame, unless empty.
+/// Returns the line of a frame, without the line break. `geometry` describes the contacts of each
+/// pair of the frame, unless empty.
 std::string frame_line(const Stage& stage, const FrameAnswer& answer,
                        std::span<const ContactGeometry> geometry);
 
-/// Numbers of pairs of triangles by the filter that leaves them out, in one frame or in all.
+/// Returns the numbers of pairs of triangles that each filter leaves out, in one frame or in all.
 nlohmann::ordered_json left_out_json(const LeftOut& left_out);
 
 }  // namespace pelt::tools::check
